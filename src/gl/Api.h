@@ -1,0 +1,3 @@
+#pragma once
+/// The OpenGL entry points, as everybody outside of gl/ gets them.
+#include <epoxy/gl.h>

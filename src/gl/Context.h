@@ -1,0 +1,58 @@
+#pragma once
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "gl/Ledger.h"
+
+namespace limpid::gl {
+
+/// What the program asks of the graphics system before it exists.
+struct ContextOptions {
+    std::string device;        ///< EGL device by number or part of its name; empty: the first with hardware, else any
+    bool debug = false;        ///< debug context whose messages go to `onMessage`
+    /// Receives each message of high or medium severity. Without it, errors go to stderr.
+    std::function<void(const std::string&)> onMessage;
+};
+
+/// One EGL device that could be chosen.
+struct DeviceDescription {
+    int index = 0;
+    std::string name;      ///< DRM file, or "software"
+    bool software = false;
+};
+
+/// What is known of the chosen GPU and what the engine will use of it.
+struct DeviceInfo {
+    std::string vendor, renderer, version, glsl, egl, platform;
+    int maxTextureSize = 0;
+    int maxComputeInvocations = 0;
+    int subpixelBits = 0;
+    std::int64_t maxStorageBlockBytes = 0;
+};
+
+/// An OpenGL 4.5 core context without window or display, current on the thread that made it.
+/// First choice is EGL's device platform, then the surfaceless one.
+/// Throws GraphicsError when there is no EGL, no such device or no OpenGL 4.5.
+class Context {
+  public:
+    explicit Context(const ContextOptions& options = {});
+    ~Context();
+    Context(const Context&) = delete;
+    Context& operator=(const Context&) = delete;
+
+    Ledger& ledger() { return _ledger; }
+    const DeviceInfo& info() const { return _info; }
+
+    static std::vector<DeviceDescription> devices();
+
+  private:
+    struct Egl;
+    std::unique_ptr<Egl> _egl;
+    std::function<void(const std::string&)> _onMessage;
+    Ledger _ledger;
+    DeviceInfo _info;
+};
+
+} // namespace limpid::gl

@@ -1,0 +1,161 @@
+#include "gl/Handles.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "core/Error.h"
+
+namespace limpid::gl {
+
+namespace {
+
+int bytesPerTexel(GLenum format) {
+    switch (format) {
+    case GL_R8: return 1;
+    case GL_RGBA8:
+    case GL_SRGB8_ALPHA8:
+    case GL_RG16:
+    case GL_R32F:
+    case GL_R32UI:
+    case GL_DEPTH_COMPONENT32F: return 4;
+    case GL_RG32F:
+    case GL_RGBA16F: return 8;
+    case GL_RGBA32F: return 16;
+    default: throw GraphicsError(fmt::format("texture format: expected one the ledger knows, found {:#x}", format));
+    }
+}
+
+/// A driver reports out-of-memory as an error after the call; nothing else of the program's own calls can fail.
+void checkAllocation(const std::string& kind, std::int64_t bytes) {
+    const GLenum error = glGetError();
+    if (error == GL_NO_ERROR) return;
+    throw GraphicsError(fmt::format("{}: expected {} bytes of GPU memory, found {}", kind, bytes,
+                                    error == GL_OUT_OF_MEMORY ? "out of memory" : fmt::format("GL error {:#x}", error)));
+}
+
+} // namespace
+
+Buffer::Buffer(Ledger& ledger, std::string kind, std::int64_t bytes, const void* data)
+    : _bytes(std::max<std::int64_t>(bytes, 16)), _kind(std::move(kind)), _ledger(&ledger) {
+    glCreateBuffers(1, &_id);
+    glNamedBufferStorage(_id, _bytes, _bytes == bytes ? data : nullptr, GL_DYNAMIC_STORAGE_BIT);
+    glObjectLabel(GL_BUFFER, _id, -1, _kind.c_str());
+    checkAllocation(_kind, _bytes);
+    if (data && _bytes != bytes && bytes > 0) write(0, bytes, data);
+    _ledger->add(_kind, _bytes);
+}
+
+void Buffer::write(std::int64_t offset, std::int64_t bytes, const void* data) {
+    if (bytes > 0) glNamedBufferSubData(_id, offset, bytes, data);
+}
+
+void Buffer::clearToZero() {
+    glClearNamedBufferData(_id, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
+}
+
+void Buffer::readBytes(void* out, std::int64_t bytes) const {
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    if (bytes > 0) glGetNamedBufferSubData(_id, 0, bytes, out);
+}
+
+void Buffer::reset() {
+    if (!_id) return;
+    glDeleteBuffers(1, &_id);
+    _ledger->remove(_kind, _bytes);
+    _id = 0;
+}
+
+void Buffer::swap(Buffer& other) noexcept {
+    std::swap(_id, other._id);
+    std::swap(_bytes, other._bytes);
+    std::swap(_kind, other._kind);
+    std::swap(_ledger, other._ledger);
+}
+
+Texture::Texture(Ledger& ledger, std::string kind, GLenum internalFormat, glm::ivec2 size)
+    : _format(internalFormat), _size(size),
+      _bytes(std::int64_t(size.x) * size.y * bytesPerTexel(internalFormat)), _kind(std::move(kind)),
+      _ledger(&ledger) {
+    glCreateTextures(GL_TEXTURE_2D, 1, &_id);
+    glTextureStorage2D(_id, 1, internalFormat, size.x, size.y);
+    setFilter(GL_NEAREST, GL_CLAMP_TO_EDGE);
+    glObjectLabel(GL_TEXTURE, _id, -1, _kind.c_str());
+    checkAllocation(_kind, _bytes);
+    _ledger->add(_kind, _bytes);
+}
+
+void Texture::upload(GLenum format, GLenum type, const void* data) {
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTextureSubImage2D(_id, 0, 0, 0, _size.x, _size.y, format, type, data);
+}
+
+void Texture::setFilter(GLenum filter, GLenum wrap) {
+    glTextureParameteri(_id, GL_TEXTURE_MIN_FILTER, GLint(filter));
+    glTextureParameteri(_id, GL_TEXTURE_MAG_FILTER, GLint(filter));
+    glTextureParameteri(_id, GL_TEXTURE_WRAP_S, GLint(wrap));
+    glTextureParameteri(_id, GL_TEXTURE_WRAP_T, GLint(wrap));
+}
+
+std::vector<float> Texture::readFloats(GLenum format, int channels) const {
+    glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    std::vector<float> out(std::size_t(_size.x) * std::size_t(_size.y) * std::size_t(channels));
+    glGetTextureImage(_id, 0, format, GL_FLOAT, GLsizei(out.size() * sizeof(float)), out.data());
+    return out;
+}
+
+void Texture::reset() {
+    if (!_id) return;
+    glDeleteTextures(1, &_id);
+    _ledger->remove(_kind, _bytes);
+    _id = 0;
+}
+
+void Texture::swap(Texture& other) noexcept {
+    std::swap(_id, other._id);
+    std::swap(_format, other._format);
+    std::swap(_size, other._size);
+    std::swap(_bytes, other._bytes);
+    std::swap(_kind, other._kind);
+    std::swap(_ledger, other._ledger);
+}
+
+Framebuffer::Framebuffer(std::string label, std::span<const Texture* const> colors, const Texture* depth) {
+    glCreateFramebuffers(1, &_id);
+    glObjectLabel(GL_FRAMEBUFFER, _id, -1, label.c_str());
+    std::vector<GLenum> attachments;
+    for (const Texture* color : colors) {
+        attachments.push_back(GLenum(GL_COLOR_ATTACHMENT0 + attachments.size()));
+        glNamedFramebufferTexture(_id, attachments.back(), color->id(), 0);
+        _size = color->size();
+    }
+    if (depth) {
+        glNamedFramebufferTexture(_id, GL_DEPTH_ATTACHMENT, depth->id(), 0);
+        _size = depth->size();
+    }
+    glNamedFramebufferDrawBuffers(_id, GLsizei(attachments.size()), attachments.data());
+    const GLenum status = glCheckNamedFramebufferStatus(_id, GL_DRAW_FRAMEBUFFER);
+    if (status != GL_FRAMEBUFFER_COMPLETE)
+        throw GraphicsError(fmt::format("{}: expected a complete framebuffer, found status {:#x}", label, status));
+}
+
+void Framebuffer::bind() const {
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, _id);
+    glViewport(0, 0, _size.x, _size.y);
+}
+
+void Framebuffer::clearColor(int attachment, const glm::vec4& value) const {
+    glClearNamedFramebufferfv(_id, GL_COLOR, attachment, &value.x);
+}
+
+void Framebuffer::clearDepth(float value) const { glClearNamedFramebufferfv(_id, GL_DEPTH, 0, &value); }
+
+void VertexArray::attribute(GLuint index, const Buffer& buffer, int components, int offset, int stride) {
+    glEnableVertexArrayAttrib(_id, index);
+    glVertexArrayAttribFormat(_id, index, components, GL_FLOAT, GL_FALSE, GLuint(offset));
+    glVertexArrayAttribBinding(_id, index, index);
+    glVertexArrayVertexBuffer(_id, index, buffer.id(), 0, stride);
+}
+
+} // namespace limpid::gl

@@ -1,0 +1,141 @@
+#pragma once
+#include <cstdint>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "gl/Api.h"
+#include "gl/Ledger.h"
+
+/// Owners of OpenGL objects: move-only, empty after a move, labelled with their kind, their bytes in the ledger.
+namespace limpid::gl {
+
+/// Immutable-size storage on the GPU.
+class Buffer {
+  public:
+    Buffer() = default;
+    /// `data` may be null: the content is then undefined.
+    Buffer(Ledger& ledger, std::string kind, std::int64_t bytes, const void* data = nullptr);
+    template <typename T>
+    Buffer(Ledger& ledger, std::string kind, std::span<const T> data)
+        : Buffer(ledger, std::move(kind), std::int64_t(data.size_bytes()), data.data()) {}
+    ~Buffer() { reset(); }
+    Buffer(Buffer&& other) noexcept { swap(other); }
+    Buffer& operator=(Buffer&& other) noexcept {
+        Buffer moved(std::move(other));
+        swap(moved);
+        return *this;
+    }
+
+    GLuint id() const { return _id; }
+    std::int64_t bytes() const { return _bytes; }
+    void write(std::int64_t offset, std::int64_t bytes, const void* data);
+    void clearToZero();
+    void bindStorage(GLuint binding) const { glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, _id); }
+    void bindUniform(GLuint binding) const { glBindBufferBase(GL_UNIFORM_BUFFER, binding, _id); }
+
+    /// Waits for the GPU and copies `count` elements from the start.
+    template <typename T> std::vector<T> read(std::size_t count) const {
+        std::vector<T> out(count);
+        readBytes(out.data(), std::int64_t(count * sizeof(T)));
+        return out;
+    }
+
+  private:
+    void readBytes(void* out, std::int64_t bytes) const;
+    void reset();
+    void swap(Buffer& other) noexcept;
+    GLuint _id = 0;
+    std::int64_t _bytes = 0;
+    std::string _kind;
+    Ledger* _ledger = nullptr;
+};
+
+/// A two-dimensional texture with one level.
+class Texture {
+  public:
+    Texture() = default;
+    Texture(Ledger& ledger, std::string kind, GLenum internalFormat, glm::ivec2 size);
+    ~Texture() { reset(); }
+    Texture(Texture&& other) noexcept { swap(other); }
+    Texture& operator=(Texture&& other) noexcept {
+        Texture moved(std::move(other));
+        swap(moved);
+        return *this;
+    }
+
+    GLuint id() const { return _id; }
+    glm::ivec2 size() const { return _size; }
+    GLenum internalFormat() const { return _format; }
+    void bind(GLuint unit) const { glBindTextureUnit(unit, _id); }
+    void bindImage(GLuint unit, GLenum access) const {
+        glBindImageTexture(unit, _id, 0, GL_FALSE, 0, access, _format);
+    }
+    void upload(GLenum format, GLenum type, const void* data);
+    void setFilter(GLenum filter, GLenum wrap);
+    /// Waits for the GPU and returns width · height · channels floats, row 0 first; `format` says the channels.
+    std::vector<float> readFloats(GLenum format, int channels) const;
+
+  private:
+    void reset();
+    void swap(Texture& other) noexcept;
+    GLuint _id = 0;
+    GLenum _format = 0;
+    glm::ivec2 _size{0};
+    std::int64_t _bytes = 0;
+    std::string _kind;
+    Ledger* _ledger = nullptr;
+};
+
+/// Render targets; color attachment i is `colors[i]`.
+class Framebuffer {
+  public:
+    Framebuffer() = default;
+    Framebuffer(std::string label, std::span<const Texture* const> colors, const Texture* depth = nullptr);
+    ~Framebuffer() {
+        if (_id) glDeleteFramebuffers(1, &_id);
+    }
+    Framebuffer(Framebuffer&& other) noexcept : _id(std::exchange(other._id, 0)), _size(other._size) {}
+    Framebuffer& operator=(Framebuffer&& other) noexcept {
+        std::swap(_id, other._id);
+        std::swap(_size, other._size);
+        return *this;
+    }
+
+    GLuint id() const { return _id; }
+    /// Makes this the draw target with a viewport over all of it.
+    void bind() const;
+    void clearColor(int attachment, const glm::vec4& value) const;
+    void clearDepth(float value) const;
+
+  private:
+    GLuint _id = 0;
+    glm::ivec2 _size{0};
+};
+
+class VertexArray {
+  public:
+    VertexArray() { glCreateVertexArrays(1, &_id); }
+    ~VertexArray() {
+        if (_id) glDeleteVertexArrays(1, &_id);
+    }
+    VertexArray(VertexArray&& other) noexcept : _id(std::exchange(other._id, 0)) {}
+    VertexArray& operator=(VertexArray&& other) noexcept {
+        std::swap(_id, other._id);
+        return *this;
+    }
+
+    GLuint id() const { return _id; }
+    void bind() const { glBindVertexArray(_id); }
+    /// Attribute `index` has `components` floats at `offset` in a vertex of `stride` bytes of `buffer`.
+    void attribute(GLuint index, const Buffer& buffer, int components, int offset, int stride);
+    void indices(const Buffer& buffer) { glVertexArrayElementBuffer(_id, buffer.id()); }
+
+  private:
+    GLuint _id = 0;
+};
+
+} // namespace limpid::gl

@@ -1,0 +1,21 @@
+#include "gl/Ledger.h"
+
+#include <algorithm>
+
+namespace limpid::gl {
+
+void Ledger::add(std::string_view kind, std::int64_t bytes) {
+    auto entry = _byKind.find(kind);
+    if (entry == _byKind.end()) entry = _byKind.emplace(kind, 0).first;
+    entry->second += bytes;
+    if (entry->second == 0) _byKind.erase(entry);
+    _total += bytes;
+    _peak = std::max(_peak, _total);
+}
+
+std::int64_t Ledger::bytes(std::string_view kind) const {
+    const auto entry = _byKind.find(kind);
+    return entry == _byKind.end() ? 0 : entry->second;
+}
+
+} // namespace limpid::gl

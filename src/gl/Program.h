@@ -1,0 +1,48 @@
+#pragma once
+#include <initializer_list>
+#include <span>
+#include <string>
+#include <utility>
+
+#include <glm/glm.hpp>
+
+#include "gl/Api.h"
+
+namespace limpid::gl {
+
+/// A linked program of shaders from shaders/; the file's suffix says its stage (.vert .tesc .tese .geom .frag
+/// .comp). Uniforms are set by the explicit location that the shader gives them.
+/// Throws GraphicsError with file and line when one does not compile or link.
+class Program {
+  public:
+    Program() = default;
+    explicit Program(std::initializer_list<const char*> files, std::span<const std::string> defines = {});
+    ~Program() {
+        if (_id) glDeleteProgram(_id);
+    }
+    Program(Program&& other) noexcept : _id(std::exchange(other._id, 0)) {}
+    Program& operator=(Program&& other) noexcept {
+        std::swap(_id, other._id);
+        return *this;
+    }
+
+    void use() const { glUseProgram(_id); }
+    void set(GLint location, int value) const { glProgramUniform1i(_id, location, value); }
+    void set(GLint location, float value) const { glProgramUniform1f(_id, location, value); }
+    void set(GLint location, glm::ivec2 value) const { glProgramUniform2iv(_id, location, 1, &value.x); }
+    void set(GLint location, glm::vec2 value) const { glProgramUniform2fv(_id, location, 1, &value.x); }
+    void set(GLint location, glm::vec3 value) const { glProgramUniform3fv(_id, location, 1, &value.x); }
+    void set(GLint location, glm::vec4 value) const { glProgramUniform4fv(_id, location, 1, &value.x); }
+    void set(GLint location, const glm::mat4& value) const {
+        glProgramUniformMatrix4fv(_id, location, 1, GL_FALSE, &value[0].x);
+    }
+
+    /// Runs a compute program over at least `items` invocations in groups of `groupSize` (as the shader has it).
+    void dispatch(std::int64_t items, int groupSize) const;
+    void dispatch2D(glm::ivec2 items, glm::ivec2 groupSize) const;
+
+  private:
+    GLuint _id = 0;
+};
+
+} // namespace limpid::gl

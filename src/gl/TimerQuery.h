@@ -1,0 +1,44 @@
+#pragma once
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "gl/Api.h"
+
+namespace limpid::gl {
+
+/// GPU time by pass, in the order in which passes first ran. Two time stamps a scope: llvmpipe's elapsed-time query
+/// reports the time since boot for a scope that begins before anything was drawn.
+class PassTimers {
+  public:
+    PassTimers() = default;
+    ~PassTimers();
+    PassTimers(const PassTimers&) = delete;
+    PassTimers& operator=(const PassTimers&) = delete;
+
+    /// Times what is issued until the scope ends, and names it for graphics debuggers.
+    class Scope {
+      public:
+        Scope(PassTimers& timers, const char* pass);
+        ~Scope();
+        Scope(const Scope&) = delete;
+        Scope& operator=(const Scope&) = delete;
+
+      private:
+        GLuint _end;
+    };
+
+    /// Waits for the GPU; milliseconds by pass since the last call, summed over scopes of one name.
+    std::vector<std::pair<std::string, double>> collect();
+
+  private:
+    struct Stamps {
+        std::string pass;
+        GLuint begin = 0, end = 0;
+    };
+    GLuint take();
+    std::vector<Stamps> _pending;
+    std::vector<GLuint> _free;
+};
+
+} // namespace limpid::gl
