@@ -1,0 +1,182 @@
+// The committed models are what the generator writes, and they are sound: right counts, closed where the
+// README says so, one metre long, standing on y = 0.
+
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ModelCase {
+    std::string name;
+    std::size_t triangles;
+    bool closed;
+};
+
+void PrintTo(const ModelCase& model, std::ostream* stream) {
+    *stream << model.name;
+}
+
+const ModelCase models[] = {
+    {"teapot", 4032, false}, // the pot is open under its lid, as Newell made it
+    {"sphere", 1984, true},  {"box", 12, true},       {"cross", 76, true},
+    {"fish", 2964, true},    {"dolphin", 2892, true},
+};
+
+fs::path committed(const std::string& name) {
+    return fs::path{LIMPID_ROOT} / "models" / (name + ".glb");
+}
+
+std::string contents(const fs::path& path) {
+    std::ifstream stream{path, std::ios::binary};
+    return {std::istreambuf_iterator<char>{stream}, {}};
+}
+
+struct Triangles {
+    std::vector<glm::vec3> positions;
+    std::vector<glm::vec3> normals;
+    std::vector<std::array<std::size_t, 3>> corners;
+};
+
+/// A .glb as the generator lays it out: accessors 0 to 2 are 16-bit indices, positions and normals.
+class Glb {
+  public:
+    explicit Glb(const fs::path& path) : _bytes{contents(path)} {
+        const auto length = at<std::uint32_t>(12);
+        _json = nlohmann::json::parse(_bytes.substr(20, length));
+        _binary = 20 + length + 8;
+    }
+
+    Triangles triangles() const {
+        Triangles result;
+        const auto indices = accessor<std::uint16_t>(0);
+        for (std::size_t i = 0; i < indices.size(); i += 3)
+            result.corners.push_back({indices[i], indices[i + 1], indices[i + 2]});
+        result.positions = accessor<glm::vec3>(1);
+        result.normals = accessor<glm::vec3>(2);
+        return result;
+    }
+
+    std::size_t indexCount() const {
+        const auto& primitive = _json.at("meshes").at(0).at("primitives").at(0);
+        return _json.at("accessors").at(primitive.at("indices").get<std::size_t>()).at("count");
+    }
+
+  private:
+    template <typename T>
+    T at(std::size_t offset) const {
+        T value;
+        std::memcpy(&value, _bytes.data() + offset, sizeof value);
+        return value;
+    }
+
+    template <typename T>
+    std::vector<T> accessor(std::size_t index) const {
+        const auto& description = _json.at("accessors").at(index);
+        const auto& view = _json.at("bufferViews").at(description.at("bufferView").get<std::size_t>());
+        std::vector<T> values;
+        for (std::size_t i = 0; i < description.at("count").get<std::size_t>(); ++i)
+            values.push_back(at<T>(_binary + view.at("byteOffset").get<std::size_t>() + i * sizeof(T)));
+        return values;
+    }
+
+    std::string _bytes;
+    nlohmann::json _json;
+    std::size_t _binary = 0;
+};
+
+class Models : public testing::TestWithParam<ModelCase> {};
+
+TEST_P(Models, areWhatTheGeneratorWrites) {
+    const fs::path folder = fs::path{LIMPID_BUILD} / "tests" / ("models-" + GetParam().name);
+    fs::remove_all(folder);
+    const std::string command = "\"" LIMPID_BUILD "/limpid-make-models\" \"" + folder.string() + "\"";
+    ASSERT_EQ(std::system(command.c_str()), 0) << command;
+    const std::string made = contents(folder / (GetParam().name + ".glb"));
+    EXPECT_FALSE(made.empty());
+    EXPECT_TRUE(made == contents(committed(GetParam().name)))
+        << "models/" << GetParam().name << ".glb is stale: run limpid-make-models models";
+}
+
+TEST_P(Models, haveTheirNumberOfTriangles) {
+    EXPECT_EQ(Glb{committed(GetParam().name)}.indexCount(), 3 * GetParam().triangles);
+}
+
+TEST_P(Models, areOneMetreLongAndStandOnZero) {
+    glm::vec3 min{1e9f};
+    glm::vec3 max{-1e9f};
+    for (const glm::vec3& position : Glb{committed(GetParam().name)}.triangles().positions) {
+        min = glm::min(min, position);
+        max = glm::max(max, position);
+    }
+    const glm::vec3 extent = max - min;
+    EXPECT_EQ(std::max({extent.x, extent.y, extent.z}), 1.0f);
+    EXPECT_EQ(min.y, 0.0f);
+    // Coordinates are rounded to 1e-6 m, so the middle can be off by half of that.
+    EXPECT_NEAR(min.x + max.x, 0.0f, 1e-6f);
+    EXPECT_NEAR(min.z + max.z, 0.0f, 1e-6f);
+}
+
+TEST_P(Models, haveUnitNormalsOnTheSideOfTheirTriangles) {
+    const Triangles mesh = Glb{committed(GetParam().name)}.triangles();
+    for (const glm::vec3& normal : mesh.normals)
+        ASSERT_NEAR(glm::length(normal), 1.0f, 2e-6f); // components are rounded to 1e-6
+    for (const auto& corners : mesh.corners) {
+        const glm::dvec3 a = mesh.positions[corners[0]];
+        const glm::dvec3 b = mesh.positions[corners[1]];
+        const glm::dvec3 c = mesh.positions[corners[2]];
+        const glm::dvec3 cross = glm::cross(b - a, c - a);
+        ASSERT_GT(glm::length(cross), 1e-9) << "a triangle without area";
+        for (std::size_t corner : corners)
+            ASSERT_GT(glm::dot(glm::normalize(cross), glm::dvec3{mesh.normals[corner]}), 0.0);
+    }
+}
+
+TEST_P(Models, faceOutward) {
+    const Triangles mesh = Glb{committed(GetParam().name)}.triangles();
+    double volume = 0.0;
+    for (const auto& [a, b, c] : mesh.corners)
+        volume += glm::dot(mesh.positions[a], glm::cross(mesh.positions[b], mesh.positions[c])) / 6.0;
+    EXPECT_GT(volume, 0.005);
+}
+
+// Closed: each edge, by position, is used once in either direction.
+TEST_P(Models, areClosedWhereTheySaySo) {
+    const Triangles mesh = Glb{committed(GetParam().name)}.triangles();
+    using Point = std::array<float, 3>;
+    const auto point = [&](std::size_t i) {
+        return Point{mesh.positions[i].x, mesh.positions[i].y, mesh.positions[i].z};
+    };
+    std::map<std::pair<Point, Point>, int> uses;
+    for (const auto& corner : mesh.corners)
+        for (std::size_t i = 0; i < 3; ++i)
+            ++uses[{point(corner[i]), point(corner[(i + 1) % 3])}];
+    std::size_t open = 0;
+    for (const auto& [edge, count] : uses) {
+        const auto opposite = uses.find({edge.second, edge.first});
+        open += count != 1 || opposite == uses.end();
+    }
+    EXPECT_EQ(open == 0, GetParam().closed) << open << " open edges";
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Models, testing::ValuesIn(models),
+                         [](const auto& test) { return test.param.name; });
+
+} // namespace
