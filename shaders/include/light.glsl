@@ -1,0 +1,40 @@
+// One light over flat water: the mean light. Every position is in metres from the scene's origin.
+#include "include/optics.glsl"
+layout(std140, binding = 0) uniform LightFrame {
+    vec4 lightPosition;   // xyz; w: 0 directional, 1 point
+    vec4 lightDirection;  // directional: unit, the way light travels
+    vec4 lightRefracted;  // directional: unit, the same below flat water
+    vec4 sceneDepthRect;  // what the scene depth map covers of the flat surface: x, z of its corner, extents, m
+    vec4 waterSurface;    // level m; index of refraction
+};
+
+bool isPointLight() { return lightPosition.w > 0.5; }
+
+// Direction of the incident light at a point of the surface, unit.
+vec3 incidentDirection(vec3 surface) {
+    return isPointLight() ? normalize(surface - lightPosition.xyz) : lightDirection.xyz;
+}
+
+// Where the mean light that reaches `point` crosses the flat surface.
+vec3 entryPoint(vec3 point) {
+    float below = max(waterSurface.x - point.y, 0.0);
+    if (!isPointLight()) return point - lightRefracted.xyz * (below / -lightRefracted.y);
+    vec2 away = point.xz - lightPosition.xz;
+    float across = length(away);
+    float x = flatCrossing(lightPosition.y - waterSurface.x, below, across, waterSurface.y);
+    vec2 at = lightPosition.xz + (across > 0.0 ? away * (x / across) : vec2(0.0));
+    return vec3(at.x, waterSurface.x, at.y);
+}
+
+// Unit direction of the mean light below the flat surface at `entry`.
+vec3 meanDirection(vec3 entry) {
+    if (!isPointLight()) return lightRefracted.xyz;
+    return refractDirection(normalize(entry - lightPosition.xyz), vec3(0.0, 1.0, 0.0), 1.0 / waterSurface.y);
+}
+
+// Place of a surface point in the scene depth map, [0, 1]².
+vec2 sceneDepthUv(vec3 entry) { return (entry.xz - sceneDepthRect.xy) / sceneDepthRect.zw; }
+vec3 sceneDepthEntry(vec2 uv) {
+    vec2 at = sceneDepthRect.xy + uv * sceneDepthRect.zw;
+    return vec3(at.x, waterSurface.x, at.y);
+}

@@ -1,0 +1,32 @@
+// What each water triangle takes from the light, after Fresnel: in m² for a directional light (W per W/m²), in sr
+// for a point light (W per W/sr). Flux goes by the triangle's own face; the vertex normals only bend the rays.
+// In: vertex indices, beam origins. Out: one float a triangle.
+#include "include/light.glsl"
+layout(local_size_x = 64) in;
+layout(std430, binding = 0) readonly buffer Indices { uint indices[]; };
+layout(std430, binding = 3) readonly buffer BeamOrigins { vec4 origins[]; };
+layout(std430, binding = 5) writeonly buffer BeamFlux { float flux[]; };
+layout(location = 0) uniform int triangleCount;
+
+// Solid angle of a triangle seen from the origin, sr (van Oosterom and Strackee 1983); negative from behind.
+float solidAngle(vec3 a, vec3 b, vec3 c) {
+    float la = length(a), lb = length(b), lc = length(c);
+    // The triple product from edges: as from the corners, but it keeps its digits when the triangle is small.
+    float triple = dot(a, cross(b - a, c - a));
+    float denominator = la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb;
+    return -2.0 * atan(triple, denominator);
+}
+
+void main() {
+    uint index = gl_GlobalInvocationID.y * gl_NumWorkGroups.x * gl_WorkGroupSize.x + gl_GlobalInvocationID.x;
+    if (index >= uint(triangleCount)) return;
+    vec4 a = origins[indices[3 * index]], b = origins[indices[3 * index + 1]], c = origins[indices[3 * index + 2]];
+    float seen;
+    if (isPointLight()) {
+        vec3 light = lightPosition.xyz;
+        seen = solidAngle(a.xyz - light, b.xyz - light, c.xyz - light);
+    } else {
+        seen = -0.5 * dot(cross(b.xyz - a.xyz, c.xyz - a.xyz), lightDirection.xyz);
+    }
+    flux[index] = max(seen, 0.0) * (a.w + b.w + c.w) / 3.0;
+}

@@ -1,0 +1,22 @@
+// One ray into the water for each vertex of the surface.
+// In: position and normal of the vertices. Out: origin (m, w = Fresnel transmittance) and unit direction below
+// the surface (w = 0). A vertex whose normal faces away from the light transmits nothing.
+#include "include/light.glsl"
+layout(local_size_x = 64) in;
+layout(std430, binding = 1) readonly buffer Positions { vec4 positions[]; };
+layout(std430, binding = 2) readonly buffer Normals { vec4 normals[]; };
+layout(std430, binding = 3) writeonly buffer BeamOrigins { vec4 origins[]; };
+layout(std430, binding = 4) writeonly buffer BeamDirections { vec4 directions[]; };
+layout(location = 0) uniform int vertexCount;
+
+void main() {
+    uint index = gl_GlobalInvocationID.y * gl_NumWorkGroups.x * gl_WorkGroupSize.x + gl_GlobalInvocationID.x;
+    if (index >= uint(vertexCount)) return;
+    vec3 position = positions[index].xyz;
+    vec3 normal = normals[index].xyz;
+    vec3 incident = incidentDirection(position);
+    float eta = 1.0 / waterSurface.y;
+    float cosIncident = -dot(incident, normal);
+    origins[index] = vec4(position, fresnelTransmittance(cosIncident, eta));
+    directions[index] = vec4(cosIncident > 0.0 ? refractDirection(incident, normal, eta) : incident, 0.0);
+}

@@ -1,0 +1,58 @@
+#include "water/Beams.h"
+
+#include "water/FlatWater.h"
+
+namespace limpid {
+
+namespace {
+constexpr int groupSize = 64;
+enum Uniform { Count };
+} // namespace
+
+LightFrameData lightFrame(const Light& light, const Water& water, const glm::dvec3& origin) {
+    LightFrameData frame;
+    frame.position = glm::vec4(light.position - origin, light.type == LightType::Point ? 1 : 0);
+    const bool enters = entersWater(light, water);
+    if (light.type == LightType::Directional && enters) {
+        frame.direction = glm::vec4(glm::normalize(light.direction), 0);
+        frame.refracted = glm::vec4(refractedAt(light, water, {}), 0);
+    }
+    frame.surface = glm::vec4(water.level - origin.y, water.ior, 0, 0);
+    return frame;
+}
+
+BeamTracer::BeamTracer(gl::Context& context)
+    : _context(context), _rays({"water/beams.comp"}), _flux({"water/beam_flux.comp"}) {}
+
+void BeamTracer::trace(Beams& beams, const WaterMesh& surface, const Light& light, const Water& water,
+                       const LightFrameData& frame) {
+    gl::Ledger& ledger = _context.ledger();
+    if (beams.vertexCount != surface.vertexCount || beams.triangleCount != surface.triangleCount) {
+        const auto bytes = std::int64_t(surface.vertexCount) * std::int64_t(sizeof(glm::vec4));
+        beams.origins = gl::Buffer(ledger, "beams", bytes);
+        beams.directions = gl::Buffer(ledger, "beams", bytes);
+        beams.flux = gl::Buffer(ledger, "beams", std::int64_t(surface.triangleCount) * std::int64_t(sizeof(float)));
+        beams.vertexCount = surface.vertexCount;
+        beams.triangleCount = surface.triangleCount;
+    }
+    beams.frame = gl::Buffer(ledger, "beams", sizeof(LightFrameData), &frame);
+    beams.rect = frame.sceneDepthRect;
+    beams.strength = light.type == LightType::Directional ? light.irradiance : light.intensity;
+    if (!entersWater(light, water)) beams.strength = glm::dvec3(0);
+
+    beams.frame.bindUniform(0);
+    surface.indices.bindStorage(0);
+    surface.positions.bindStorage(1);
+    surface.normals.bindStorage(2);
+    beams.origins.bindStorage(3);
+    beams.directions.bindStorage(4);
+    beams.flux.bindStorage(5);
+    _rays.set(Count, beams.vertexCount);
+    _rays.dispatch(beams.vertexCount, groupSize);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    _flux.set(Count, beams.triangleCount);
+    _flux.dispatch(beams.triangleCount, groupSize);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+}
+
+} // namespace limpid

@@ -1,0 +1,48 @@
+#pragma once
+#include "gl/Context.h"
+#include "gl/Handles.h"
+#include "gl/Program.h"
+#include "scene/Scene.h"
+#include "water/WaterSurface.h"
+
+namespace limpid {
+
+/// A light over the water, as shaders/include/light.glsl reads it (std140). Positions in m from the scene's origin.
+struct LightFrameData {
+    glm::vec4 position{0};
+    glm::vec4 direction{0, -1, 0, 0};
+    glm::vec4 refracted{0, -1, 0, 0};
+    glm::vec4 sceneDepthRect{0, 0, 1, 1};
+    glm::vec4 surface{0, 1.333, 0, 0};
+};
+LightFrameData lightFrame(const Light& light, const Water& water, const glm::dvec3& origin);
+
+/// The illumination volumes of one light (thesis eq. 4-14): every method reads only these. Beam i is the prism of
+/// refracted rays through the corners of water triangle i.
+struct Beams {
+    gl::Buffer origins;    ///< a vertex: vec4, m from the scene's origin, w = Fresnel transmittance [0, 1]
+    gl::Buffer directions; ///< a vertex: vec4, unit, below the surface; w = 0
+    gl::Buffer flux;       ///< a triangle: float after Fresnel, m² (directional) or sr (point); times `strength` it is W
+    gl::Buffer frame;      ///< LightFrameData
+    glm::vec4 rect{0, 0, 1, 1};   ///< sceneDepthRect of `frame`
+    glm::dvec3 strength{0};       ///< RGB, W/m² or W/sr; 0 for a light that does not enter the water
+    int vertexCount = 0;
+    int triangleCount = 0;
+};
+
+/// Refracts one light at every vertex of the surface and weighs every triangle.
+class BeamTracer {
+  public:
+    explicit BeamTracer(gl::Context& context);
+
+    /// Makes or reuses the buffers of `beams` and fills them. `sceneDepthRect` as in LightFrameData.
+    void trace(Beams& beams, const WaterMesh& surface, const Light& light, const Water& water,
+               const LightFrameData& frame);
+
+  private:
+    gl::Context& _context;
+    gl::Program _rays;
+    gl::Program _flux;
+};
+
+} // namespace limpid

@@ -1,0 +1,105 @@
+#include "water/FlatWater.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/Optics.h"
+#include "water/WaveTerms.h"
+
+namespace limpid {
+
+namespace {
+
+glm::dvec3 directionTo(const Light& light, const glm::dvec3& point) {
+    return light.type == LightType::Directional ? glm::normalize(light.direction)
+                                                : glm::normalize(point - light.position);
+}
+
+/// Normals of all slopes up to `steepest`, on two rings and upright.
+std::vector<glm::dvec3> possibleNormals(double steepest) {
+    std::vector<glm::dvec3> normals{{0, 1, 0}};
+    if (steepest <= 0) return normals;
+    constexpr int turns = 24;
+    for (const double share : {0.5, 1.0})
+        for (int i = 0; i < turns; ++i) {
+            const double angle = 2 * std::numbers::pi * i / turns;
+            const double slope = share * steepest;
+            normals.push_back(glm::normalize(glm::dvec3(-slope * std::cos(angle), 1, -slope * std::sin(angle))));
+        }
+    return normals;
+}
+
+/// Where rays to `point` may start: each possible normal bends the light at the flat crossing.
+void addStarts(Bounds& starts, const Light& light, const Water& water, const glm::dvec3& point,
+               const std::vector<glm::dvec3>& normals) {
+    const glm::dvec3 entry = entryPoint(light, water, point);
+    const double below = water.level - point.y;
+    for (const glm::dvec3& normal : normals) {
+        const glm::dvec3 t = refractedAt(light, water, entry, normal);
+        // Rays flatter than this come from slopes that the surface itself would hide.
+        const double down = std::max(-t.y, 0.15);
+        starts.add({point.x - t.x * below / down, water.level, point.z - t.z * below / down});
+    }
+}
+
+} // namespace
+
+bool entersWater(const Light& light, const Water& water) {
+    return light.type == LightType::Directional ? glm::normalize(light.direction).y < -1e-6
+                                                : light.position.y > water.level;
+}
+
+glm::dvec3 refractedAt(const Light& light, const Water& water, const glm::dvec3& surface, const glm::dvec3& normal) {
+    const glm::dvec3 incident = directionTo(light, surface);
+    if (glm::dot(incident, normal) >= 0) return incident;
+    return optics::refractDirection(incident, normal, 1 / water.ior);
+}
+
+glm::dvec3 entryPoint(const Light& light, const Water& water, const glm::dvec3& point) {
+    const double below = std::max(water.level - point.y, 0.0);
+    if (light.type == LightType::Directional) {
+        const glm::dvec3 t = refractedAt(light, water, point);
+        return point - t * (below / -t.y);
+    }
+    const glm::dvec2 foot(light.position.x, light.position.z);
+    const glm::dvec2 away = glm::dvec2(point.x, point.z) - foot;
+    const double across = glm::length(away);
+    const double x = optics::flatCrossing(light.position.y - water.level, below, across, water.ior);
+    const glm::dvec2 at = across > 0 ? foot + away * (x / across) : foot;
+    return {at.x, water.level, at.y};
+}
+
+glm::dvec3 meanDirection(const Light& light, const Water& water, const glm::dvec3& point) {
+    if (!entersWater(light, water)) return {0, -1, 0};
+    return refractedAt(light, water, entryPoint(light, water, point));
+}
+
+WaterPatch coveringPatch(const Scene& scene) {
+    const Water& water = scene.water;
+    Bounds wet = worldBounds(scene);
+    Bounds starts;
+    wet.max.y = std::min(wet.max.y, water.level);
+    if (!wet.empty() && wet.min.y < water.level) {
+        const auto normals = possibleNormals(steepestSlope(water));
+        for (int corner = 0; corner < 8; ++corner) {
+            const glm::dvec3 point(corner & 1 ? wet.max.x : wet.min.x, corner & 2 ? wet.max.y : wet.min.y,
+                                   corner & 4 ? wet.max.z : wet.min.z);
+            starts.add({point.x, water.level, point.z});
+            for (const Light& light : scene.lights)
+                if (entersWater(light, water)) addStarts(starts, light, water, point, normals);
+        }
+    } else {
+        starts.add({-1, 0, -1}), starts.add({1, 0, 1});
+    }
+    WaterPatch patch;
+    patch.grid = water.grid;
+    // Crests lift the start of a ray off the mean level, and one quad more lets every inner texel see whole beams.
+    const double lift = 2 * highestWave(water);
+    const glm::dvec2 size = glm::max(glm::dvec2(starts.size().x, starts.size().z) + lift, 1e-6);
+    patch.size = water.size.value_or(size * (1.0 + 2.0 / glm::dvec2(water.grid)) + 1e-3 * std::max(size.x, size.y));
+    patch.center = water.center.value_or(glm::dvec2(starts.center().x, starts.center().z));
+    return patch;
+}
+
+} // namespace limpid

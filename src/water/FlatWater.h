@@ -1,0 +1,37 @@
+#pragma once
+#include <glm/glm.hpp>
+
+#include "scene/Scene.h"
+
+/// How light would go if the water were flat: the mean light that boxes, occlusion and the patch's extent are
+/// made from. All positions relative to the same origin, m.
+namespace limpid {
+
+/// Whether any light enters the water from above: a sun over the horizon, a lamp over the surface.
+bool entersWater(const Light& light, const Water& water);
+
+/// Where the light that reaches `point` (below the level) under flat water crosses the surface.
+/// `light` must enter the water.
+glm::dvec3 entryPoint(const Light& light, const Water& water, const glm::dvec3& point);
+
+/// Unit direction below a surface with unit normal `normal` of the light that meets it at `surface`.
+glm::dvec3 refractedAt(const Light& light, const Water& water, const glm::dvec3& surface,
+                       const glm::dvec3& normal = {0, 1, 0});
+
+/// Unit direction of the light at `point` under flat water; straight down for a light that does not enter.
+glm::dvec3 meanDirection(const Light& light, const Water& water, const glm::dvec3& point);
+
+/// The rectangle of the surface that beams must start from.
+struct WaterPatch {
+    glm::dvec2 center{0}; ///< x, z
+    glm::dvec2 size{2};   ///< m
+    glm::ivec2 grid{1};   ///< quads
+
+    glm::dvec2 min() const { return center - 0.5 * size; }
+};
+
+/// What the scene asks for, or else every place from which a ray of any light, refracted by any slope that the
+/// waves can have, may reach a receiver (the receivers' bounding box below the level). Positions in the world.
+WaterPatch coveringPatch(const Scene& scene);
+
+} // namespace limpid

@@ -1,0 +1,59 @@
+#include "water/WaterSurface.h"
+
+#include <vector>
+
+#include "water/WaveTerms.h"
+
+namespace limpid {
+
+namespace {
+
+enum Uniform { PatchMin, PatchSize, Quads, Level, WaveCount };
+constexpr int groupSize = 64;
+
+std::vector<std::uint32_t> gridTriangles(glm::ivec2 quads) {
+    std::vector<std::uint32_t> indices;
+    indices.reserve(std::size_t(quads.x) * std::size_t(quads.y) * 6);
+    for (int z = 0; z < quads.y; ++z)
+        for (int x = 0; x < quads.x; ++x) {
+            const auto a = std::uint32_t(z * (quads.x + 1) + x), b = a + 1;
+            const auto c = a + std::uint32_t(quads.x) + 1, d = c + 1;
+            if ((x + z) % 2 == 0) indices.insert(indices.end(), {a, c, b, b, c, d});
+            else indices.insert(indices.end(), {a, c, d, a, d, b});
+        }
+    return indices;
+}
+
+} // namespace
+
+WaterSurface::WaterSurface(gl::Context& context) : _context(context), _program({"water/surface.comp"}) {}
+
+void WaterSurface::resize(glm::ivec2 grid) {
+    if (grid == _grid) return;
+    _grid = grid;
+    const auto indices = gridTriangles(grid);
+    _mesh.vertexCount = (grid.x + 1) * (grid.y + 1);
+    _mesh.triangleCount = int(indices.size() / 3);
+    const auto bytes = std::int64_t(_mesh.vertexCount) * std::int64_t(sizeof(glm::vec4));
+    _mesh.positions = gl::Buffer(_context.ledger(), "water", bytes);
+    _mesh.normals = gl::Buffer(_context.ledger(), "water", bytes);
+    _mesh.indices = gl::Buffer(_context.ledger(), "water", std::span<const std::uint32_t>(indices));
+}
+
+void WaterSurface::update(const Water& water, const WaterPatch& patch, const glm::dvec3& origin, double time) {
+    resize(patch.grid);
+    const auto terms = waveTerms(water, origin, time);
+    const gl::Buffer waves(_context.ledger(), "waves", std::span<const WaveTermData>(terms));
+    waves.bindStorage(0);
+    _mesh.positions.bindStorage(1);
+    _mesh.normals.bindStorage(2);
+    _program.set(PatchMin, glm::vec2(patch.min() - glm::dvec2(origin.x, origin.z)));
+    _program.set(PatchSize, glm::vec2(patch.size));
+    _program.set(Quads, patch.grid);
+    _program.set(Level, float(water.level - origin.y));
+    _program.set(WaveCount, int(terms.size()));
+    _program.dispatch(_mesh.vertexCount, groupSize);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT);
+}
+
+} // namespace limpid

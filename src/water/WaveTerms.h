@@ -1,0 +1,29 @@
+#pragma once
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "scene/Scene.h"
+
+namespace limpid {
+
+/// One wave as the shaders read it: `WaveTerm` of shaders/include/waves.glsl (std430).
+struct WaveTermData {
+    glm::vec4 shape{0};
+    glm::vec4 place{0};
+    glm::ivec4 kind{0};
+    glm::ivec4 cell{0};
+};
+
+/// The waves at `time` (s) for positions relative to `origin` (m). What grows with time or distance is reduced in
+/// double precision here, so that a float has to hold one period at most.
+std::vector<WaveTermData> waveTerms(const Water& water, const glm::dvec3& origin, double time);
+
+/// A bound on the surface's slope (rise over run) that no place and time exceeds; noise is bounded by what its
+/// lattice can reach.
+double steepestSlope(const Water& water);
+
+/// A bound on how far the surface leaves its mean level, m.
+double highestWave(const Water& water);
+
+} // namespace limpid
