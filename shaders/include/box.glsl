@@ -1,0 +1,20 @@
+// The frame of a receiver's maps: thesis 4.2.1 (see core/OrientedBox.h). Positions in m from the scene's origin.
+layout(std140, binding = 1) uniform BoxFrame {
+    vec4 boxCorner; // near face, texel (0, 0)
+    vec4 boxU;      // unit, right
+    vec4 boxW;      // unit, down
+    vec4 boxT;      // unit, along the light
+    vec4 boxExtent; // along u, w, t, m; w: side of a texel, m
+    ivec4 boxSize;  // texels along u, w; reference planes asked for
+};
+
+// (along u, along w, depth) of a point, m.
+vec3 boxLocal(vec3 point) {
+    vec3 q = point - boxCorner.xyz;
+    return vec3(dot(q, boxU.xyz), dot(q, boxW.xyz), dot(q, boxT.xyz));
+}
+vec3 boxPoint(vec3 local) {
+    return boxCorner.xyz + local.x * boxU.xyz + local.y * boxW.xyz + local.z * boxT.xyz;
+}
+// A direction in the box's axes.
+vec3 boxDirection(vec3 d) { return vec3(dot(d, boxU.xyz), dot(d, boxW.xyz), dot(d, boxT.xyz)); }

@@ -1,0 +1,28 @@
+// Position, diffuse and normal map of a receiver in one pass (thesis 4.2.2, MRT as in figure 5-6).
+// Out 0, RG32F: depth along the light from the box's near face, m; index of the reference plane, or -2 where the
+//        mean light is taken by something before it (cleared to 0, -1: no receiver).
+// Out 1, SRGB8_ALPHA8: base colour; alpha: the share of the mean light that reaches the texel.
+// Out 2, RG16: geometric normal facing the box's top, octahedral.
+#include "include/box.glsl"
+#include "include/octahedral.glsl"
+#include "include/planes.glsl"
+#include "include/scene_depth.glsl"
+#include "include/receiver_fragment.glsl"
+layout(location = 0) uniform int testOcclusion; // 0: nothing else can be before it
+layout(location = 1) uniform int receiverNumber;
+layout(location = 0) out vec2 outPosition;
+layout(location = 1) out vec4 outDiffuse;
+layout(location = 2) out vec2 outNormal;
+
+void main() {
+    vec3 position = fragmentIn.position;
+    if (position.y > waterSurface.x) discard;
+    vec3 normal = fragmentIn.faceNormal;
+    if (dot(normal, boxT.xyz) > 0.0) normal = -normal;
+    float depth = boxLocal(position).z;
+    float lit = testOcclusion != 0 ? meanVisibility(position, normal, receiverNumber) : 1.0;
+    int plane = lit > 0.0 ? planeIndex(depth, boxExtent.z, boxSize.z) : -2;
+    outPosition = vec2(depth, float(plane));
+    outDiffuse = vec4(baseColor().rgb, lit);
+    outNormal = octahedralEncode(normal);
+}

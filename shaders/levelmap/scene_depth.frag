@@ -1,0 +1,19 @@
+// Out 0, RG32F: metres of water along the mean light to this receiver; its number. The exact ray of the texel is
+// cut with the face's plane, since between corners a point light's rays do not interpolate.
+#include "include/scene_depth.glsl"
+#include "include/receiver_fragment.glsl"
+layout(location = 1) uniform int receiverNumber;
+layout(location = 2) uniform float farthest;
+layout(location = 3) uniform ivec2 mapSize;
+layout(location = 0) out vec2 outDepth;
+
+void main() {
+    if (fragmentIn.position.y > waterSurface.x) discard;
+    vec3 entry = sceneDepthEntry(gl_FragCoord.xy / vec2(mapSize));
+    vec3 direction = meanDirection(entry);
+    float interpolated = dot(fragmentIn.position - entry, direction);
+    float exact = distanceToPlane(entry, direction, fragmentIn.facePoint, fragmentIn.faceNormal);
+    float distance = abs(dot(fragmentIn.faceNormal, direction)) < 0.05 ? interpolated : exact;
+    outDepth = vec2(distance, float(receiverNumber));
+    gl_FragDepth = clamp(0.5 + 0.9 * (distance / farthest - 0.5), 0.0, 1.0);
+}

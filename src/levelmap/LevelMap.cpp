@@ -1,0 +1,107 @@
+#include "levelmap/LevelMap.h"
+
+#include <algorithm>
+
+namespace limpid {
+
+namespace {
+
+enum LevelMapUniform { TestOcclusion, ReceiverNumber };
+enum HistogramUniform { DepthLevels };
+enum AssignUniform { BoxCount };
+constexpr glm::ivec2 groupSize{8, 8};
+constexpr GLuint sceneDepthUnit = 1;
+
+struct BoxFrameData {
+    glm::vec4 corner, u, w, t, extent;
+    glm::ivec4 size;
+};
+
+gl::Buffer boxFrame(gl::Ledger& ledger, const TexelFrame& frame, int planes, const glm::dvec3& origin) {
+    const OrientedBox& b = frame.box;
+    const BoxFrameData data{glm::vec4(b.corner - origin, 0),
+                            glm::vec4(b.u, 0),
+                            glm::vec4(b.w, 0),
+                            glm::vec4(b.t, 0),
+                            glm::vec4(b.extent, frame.texel),
+                            {frame.size.x, frame.size.y, planes, 0}};
+    return {ledger, "boxes", sizeof(data), &data};
+}
+
+} // namespace
+
+LevelMapPass::LevelMapPass(gl::Context& context)
+    : _context(context), _program({"levelmap/level_map.vert", "levelmap/face.geom", "levelmap/level_map.frag"}) {}
+
+void LevelMapPass::resize(LevelMap& map, glm::ivec2 size) {
+    if (map.position.id() && map.position.size() == size) return;
+    gl::Ledger& ledger = _context.ledger();
+    map.position = gl::Texture(ledger, "position map", GL_RG32F, size);
+    map.diffuse = gl::Texture(ledger, "diffuse map", GL_SRGB8_ALPHA8, size);
+    map.normal = gl::Texture(ledger, "normal map", GL_RG16, size);
+}
+
+void LevelMapPass::draw(LevelMap& map, const Inputs& inputs, const OrientedBox& box, int mapSize, int planes,
+                        const glm::dvec3& origin) {
+    map.frame = texelFrame(box, mapSize);
+    const int count = map.frame.flat ? 1 : planes;
+    map.requestedPlanes = planes;
+    map.planes = uniformPlanes(map.frame.box.extent.z, count);
+    map.box = boxFrame(_context.ledger(), map.frame, count, origin);
+    resize(map, map.frame.size);
+
+    const gl::Texture depth(_context.ledger(), "depth buffer", GL_DEPTH_COMPONENT32F, map.frame.size);
+    const gl::Texture* const targets[] = {&map.position, &map.diffuse, &map.normal};
+    const gl::Framebuffer framebuffer("level map", targets, &depth);
+    framebuffer.bind();
+    framebuffer.clearColor(0, {0, -1, 0, 0});
+    framebuffer.clearColor(1, glm::vec4(0));
+    framebuffer.clearColor(2, glm::vec4(0.5f));
+    framebuffer.clearDepth(1);
+    glEnable(GL_DEPTH_TEST);
+    glEnable(GL_FRAMEBUFFER_SRGB);
+    inputs.beams.frame.bindUniform(0);
+    map.box.bindUniform(1);
+    if (inputs.sceneDepth) inputs.sceneDepth->bind(sceneDepthUnit);
+    _program.set(TestOcclusion, inputs.sceneDepth ? 1 : 0);
+    _program.set(ReceiverNumber, inputs.receiverNumber);
+    inputs.geometry.draw(_program);
+    glDisable(GL_FRAMEBUFFER_SRGB);
+    glDisable(GL_DEPTH_TEST);
+}
+
+SmartSlicing::SmartSlicing(gl::Context& context)
+    : _context(context), _histogram({"levelmap/depth_histogram.comp"}), _assign({"levelmap/assign_planes.comp"}) {}
+
+std::vector<std::uint32_t> SmartSlicing::histogram(const LevelMap& map, int depthLevels) {
+    const std::size_t bins = depthLevels > 0 ? std::size_t(depthLevels) : map.planes.size();
+    gl::Buffer counts(_context.ledger(), "depth histogram", std::int64_t(bins * sizeof(std::uint32_t)));
+    counts.clearToZero();
+    counts.bindStorage(0);
+    map.box.bindUniform(1);
+    map.position.bind(0);
+    _histogram.set(DepthLevels, depthLevels);
+    _histogram.dispatch2D(map.frame.size, groupSize);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    return counts.read<std::uint32_t>(bins);
+}
+
+void SmartSlicing::dropEmptyPlanes(LevelMap& map) {
+    map.planes = occupiedPlanes(map.frame.box.extent.z, histogram(map));
+}
+
+void SmartSlicing::sliceByLevels(LevelMap& map, int depthLevels, double threshold) {
+    if (map.frame.flat) return;
+    const auto boxes = subBoxes(map.frame.box.extent.z, histogram(map, depthLevels), threshold);
+    map.planes = planesOf(boxes);
+    if (boxes.empty()) return;
+    const gl::Buffer buffer(_context.ledger(), "sub-boxes", std::span<const SubBox>(boxes));
+    buffer.bindStorage(0);
+    map.box.bindUniform(1);
+    map.position.bindImage(0, GL_READ_WRITE);
+    _assign.set(BoxCount, int(boxes.size()));
+    _assign.dispatch2D(map.frame.size, groupSize);
+    glMemoryBarrier(GL_ALL_BARRIER_BITS);
+}
+
+} // namespace limpid

@@ -1,0 +1,36 @@
+#pragma once
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "gl/Context.h"
+#include "gl/Handles.h"
+#include "gl/Program.h"
+#include "scene/Scene.h"
+
+namespace limpid {
+
+/// A receiver on the GPU.
+/// Vertex: float[3] position, m from the scene's origin; float[3] shading normal; float[2] uv; 32-bit indices.
+class ReceiverGeometry {
+  public:
+    ReceiverGeometry(gl::Context& context, const Receiver& receiver, const glm::dvec3& origin);
+
+    /// Draws all triangles with the program in use, its material at uniform 16 and texture unit 0.
+    /// `primitive` is GL_TRIANGLES, or GL_PATCHES for a program that tessellates.
+    void draw(const gl::Program& program, GLenum primitive = GL_TRIANGLES) const;
+
+  private:
+    void uploadImages(gl::Ledger& ledger, const Mesh& mesh);
+    gl::VertexArray _vertexArray;
+    gl::Buffer _vertices, _indices;
+    std::vector<gl::Texture> _images;
+    gl::Texture _white;
+    std::vector<MeshPart> _parts;
+    std::vector<Material> _materials;
+};
+
+/// The corners of what lies below `level`: vertices, and where edges cross the level. Empty if nothing does.
+std::vector<glm::dvec3> submergedPoints(const Receiver& receiver, double level);
+
+} // namespace limpid

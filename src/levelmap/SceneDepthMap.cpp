@@ -1,0 +1,45 @@
+#include "levelmap/SceneDepthMap.h"
+
+#include "water/FlatWater.h"
+
+namespace limpid {
+
+namespace {
+enum Uniform { ReceiverNumber = 1, Farthest = 2, MapSize = 3 };
+}
+
+glm::vec4 sceneDepthRect(const Light& light, const Water& water, std::span<const glm::dvec3> points,
+                         const glm::dvec3& origin) {
+    Bounds entries;
+    for (const glm::dvec3& p : points) entries.add(entryPoint(light, water, p) - origin);
+    if (entries.empty()) return {0, 0, 1, 1};
+    const glm::dvec2 size(entries.size().x, entries.size().z);
+    const glm::dvec2 grown = glm::max(size * 1.01, glm::dvec2(1e-4 * std::max({size.x, size.y, 1e-6})));
+    const glm::dvec2 corner = glm::dvec2(entries.center().x, entries.center().z) - 0.5 * grown;
+    return glm::vec4(corner, grown);
+}
+
+SceneDepthPass::SceneDepthPass(gl::Context& context)
+    : _context(context), _program({"levelmap/scene_depth.vert", "levelmap/face.geom", "levelmap/scene_depth.frag"}) {}
+
+void SceneDepthPass::draw(gl::Texture& map, glm::ivec2 size, const Beams& beams,
+                          std::span<const ReceiverGeometry> receivers, double farthest) {
+    if (map.size() != size || map.id() == 0) map = gl::Texture(_context.ledger(), "scene depth map", GL_RG32F, size);
+    const gl::Texture depth(_context.ledger(), "depth buffer", GL_DEPTH_COMPONENT32F, size);
+    const gl::Texture* const targets[] = {&map};
+    const gl::Framebuffer framebuffer("scene depth map", targets, &depth);
+    framebuffer.bind();
+    framebuffer.clearColor(0, {1e30f, -1, 0, 0});
+    framebuffer.clearDepth(1);
+    glEnable(GL_DEPTH_TEST);
+    beams.frame.bindUniform(0);
+    _program.set(Farthest, float(farthest));
+    _program.set(MapSize, size);
+    for (std::size_t i = 0; i < receivers.size(); ++i) {
+        _program.set(ReceiverNumber, int(i));
+        receivers[i].draw(_program);
+    }
+    glDisable(GL_DEPTH_TEST);
+}
+
+} // namespace limpid
