@@ -1,0 +1,15 @@
+// The intersection of the beams' edges with one reference plane (thesis 4.4), in texels of the receiver's maps.
+#include "include/box.glsl"
+#include "include/box.glsl"
+layout(location = 0) in vec4 footprint;    // texels; texels per metre (footprints.comp)
+layout(location = 1) in float originDepth; // m
+layout(location = 0) uniform float planeDepth; // m
+out vec2 slope;                            // sideways per metre of depth
+out float startDepth;                      // m
+
+void main() {
+    vec2 texel = footprint.xy + planeDepth * footprint.zw;
+    slope = footprint.zw * boxExtent.w;
+    startDepth = originDepth;
+    gl_Position = vec4(2.0 * texel / vec2(boxSize.xy) - 1.0, 0.0, 1.0);
+}

@@ -1,0 +1,80 @@
+// Where light lands, ray by ray: the count that the finished maps are held against. Each beam is split into rays of
+// equal flux; each ray is followed through the scene depth map to the first receiver.
+// In: indices, beam origins and directions. Out: a ray: landing point (m from the scene's origin), w = number of
+// the receiver, -1 for a ray that passes all of them, -2 for one that lands in what the mean light leaves dark.
+#include "include/scene_depth.glsl"
+layout(local_size_x = 64) in;
+layout(std430, binding = 0) readonly buffer Indices { uint indices[]; };
+layout(std430, binding = 3) readonly buffer BeamOrigins { vec4 origins[]; };
+layout(std430, binding = 4) readonly buffer BeamDirections { vec4 directions[]; };
+layout(std430, binding = 6) writeonly buffer Landings { vec4 landings[]; };
+layout(location = 0) uniform int rayCount;
+layout(location = 1) uniform int firstTriangle;
+layout(location = 2) uniform int raysPerBeam;
+layout(location = 3) uniform float farthest; // m of water below which nothing lies
+
+const int steps = 96;
+const int halvings = 14;
+const float nothing = 1e29;
+
+// Evenly spread points of a triangle: the R2 sequence (Roberts 2018), folded at the diagonal.
+vec3 barycentric(int i) {
+    vec2 r = fract(0.5 + float(i) * vec2(0.7548776662466927, 0.5698402909980532));
+    if (r.x + r.y > 1.0) r = 1.0 - r;
+    return vec3(1.0 - r.x - r.y, r);
+}
+
+// x: metres that the point lies before what the mean light through it hits first; y: metres to that hit.
+vec2 beforeFirst(vec3 point) {
+    vec3 entry = entryPoint(point);
+    vec2 uv = sceneDepthUv(entry);
+    if (any(lessThan(uv, vec2(0.0))) || any(greaterThan(uv, vec2(1.0)))) return vec2(1e30);
+    ivec2 size = textureSize(sceneDepth, 0);
+    float first = texelFetch(sceneDepth, min(ivec2(uv * vec2(size)), size - 1), 0).x;
+    return vec2(first - length(point - entry) * sign(waterSurface.x - point.y), first);
+}
+
+vec4 land(vec3 from, vec3 direction) {
+    float reach = farthest * 1.5;
+    float low = 0.0;
+    vec2 atLow = beforeFirst(from);
+    for (int i = 0; i < steps && low < reach; ++i) {
+        // The ray leans only a little against the mean light, so most of the gap is free water.
+        float leap = atLow.y > nothing ? reach / 24.0 : max(0.7 * atLow.x, reach / 400.0);
+        float high = low + leap;
+        vec2 atHigh = beforeFirst(from + high * direction);
+        if (atHigh.x > 0.0) {
+            low = high;
+            atLow = atHigh;
+            continue;
+        }
+        for (int k = 0; k < halvings; ++k) {
+            float middle = 0.5 * (low + high);
+            vec2 at = beforeFirst(from + middle * direction);
+            if (at.x > 0.0) low = middle, atLow = at;
+            else high = middle, atHigh = at;
+        }
+        vec3 point = from + high * direction;
+        ivec2 size = textureSize(sceneDepth, 0);
+        float footprint = max(sceneDepthRect.z / float(size.x), sceneDepthRect.w / float(size.y));
+        // Slipping behind an edge is a step that halving cannot close.
+        if (-atHigh.x > 8.0 * footprint) return vec4(point, atLow.y > nothing ? -1.0 : -2.0);
+        vec2 uv = sceneDepthUv(entryPoint(point));
+        return vec4(point, texelFetch(sceneDepth, min(ivec2(uv * vec2(size)), size - 1), 0).y);
+    }
+    return vec4(from, -1.0);
+}
+
+void main() {
+    int ray = int(gl_GlobalInvocationID.y * gl_NumWorkGroups.x * gl_WorkGroupSize.x + gl_GlobalInvocationID.x);
+    if (ray >= rayCount) return;
+    int triangle = firstTriangle + ray / raysPerBeam;
+    vec3 weight = barycentric(ray % raysPerBeam);
+    vec3 from = vec3(0.0), direction = vec3(0.0);
+    for (int i = 0; i < 3; ++i) {
+        uint vertex = indices[3 * triangle + i];
+        from += weight[i] * origins[vertex].xyz;
+        direction += weight[i] * directions[vertex].xyz;
+    }
+    landings[ray] = land(from, normalize(direction));
+}

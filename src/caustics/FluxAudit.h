@@ -1,0 +1,44 @@
+#pragma once
+#include <span>
+
+#include "gl/Context.h"
+#include "gl/Program.h"
+#include "levelmap/LevelMap.h"
+#include "water/Beams.h"
+
+namespace limpid {
+
+/// Where the light of one lamp went, W, mean of R, G and B. Each is counted by itself.
+struct FluxBalance {
+    double entering = 0;  ///< all beams of the patch, after Fresnel
+    double absorbed = 0;  ///< by the water, on the way to where beams land
+    double scattered = 0; ///< likewise
+    double deposited = 0; ///< Σ irradiance · surface area over the finished maps
+    double missed = 0;    ///< passes every receiver
+    double rejected = 0;  ///< lands where no map has a texel, or where the method takes no light
+
+    double residual() const { return entering - absorbed - scattered - deposited - missed - rejected; }
+};
+
+/// Follows a few rays of every beam to where they land. It shares the beams and the scene depth map with the
+/// methods, but no rasteriser, no plane and no texel sum, so that what those lose or double shows as residual.
+class FluxAudit {
+  public:
+    explicit FluxAudit(gl::Context& context);
+
+    /// All but `deposited`. `sceneDepth` covers every receiver; `maps[i]` is that of receiver i for this light, null
+    /// if it has none. `farthest` as for SceneDepthPass. Waits for the GPU.
+    FluxBalance count(const Beams& beams, const WaterMesh& surface, const Water& water, const gl::Texture& sceneDepth,
+                      std::span<const LevelMap* const> maps, double farthest);
+
+  private:
+    void place(int firstTriangle, int beamCount, int receiverNumber);
+    gl::Context& _context;
+    gl::Program _land, _place;
+};
+
+/// Σ irradiance · surface area of the texel, W, mean of R, G and B. `irradiance`: RGB, `normalDotAxis`: |n·V| of
+/// each texel, 0 where there is no receiver.
+double depositedFlux(std::span<const float> irradiance, std::span<const float> normalDotAxis, double texelArea);
+
+} // namespace limpid
