@@ -1,0 +1,23 @@
+// A corner of a piece of a receiver's triangle, placed where the camera sees it: through the flat surface
+// (underwater = 1) or straight.
+#include "include/view.glsl"
+layout(triangles, equal_spacing, ccw) in;
+layout(location = 0) uniform int underwater;
+in ControlData {
+    vec3 position;
+    vec3 normal;
+    vec2 uv;
+} controlIn[];
+out VertexData {
+    vec3 position;
+    vec3 normal;
+    vec2 uv;
+} vertexOut;
+
+void main() {
+    vec3 w = gl_TessCoord;
+    vertexOut.position = w.x * controlIn[0].position + w.y * controlIn[1].position + w.z * controlIn[2].position;
+    vertexOut.normal = w.x * controlIn[0].normal + w.y * controlIn[1].normal + w.z * controlIn[2].normal;
+    vertexOut.uv = w.x * controlIn[0].uv + w.y * controlIn[1].uv + w.z * controlIn[2].uv;
+    gl_Position = underwater != 0 ? underwaterClip(vertexOut.position) : viewProjection * vec4(vertexOut.position, 1.0);
+}

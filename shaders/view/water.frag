@@ -1,0 +1,62 @@
+// The surface as the camera sees it: what lies below by refraction, the sky by reflection, each with its Fresnel
+// share. Radiance that leaves the water shrinks by n² (L/n² is what stays along a ray).
+// In: the underwater view. Out, RGBA16F: radiance, W/(m² sr).
+#include "include/view.glsl"
+layout(binding = 0) uniform sampler2D underwaterRadiance;
+layout(binding = 1) uniform sampler2D underwaterPosition;
+layout(location = 0) uniform vec4 hole; // x, z of a corner and extents of what another draw call fills; extent 0: none
+in vec3 position;
+in vec3 normal;
+layout(location = 0) out vec4 outRadiance;
+
+const int steps = 28;
+const float nothing = 1e29;
+
+vec2 underwaterUv(vec3 point) {
+    vec4 clip = underwaterClip(point);
+    return 0.5 + 0.5 * clip.xy / clip.w;
+}
+
+// Radiance that comes up the refracted view ray. The underwater view holds what flat water would show; the ray is
+// followed through it until it meets what is stored there.
+vec3 radianceBelow(vec3 from, vec3 direction) {
+    float farthest = waterExtinction.w;
+    float metres = 0.0;
+    float leap = farthest / float(steps);
+    for (int i = 0; i < steps; ++i) {
+        vec3 point = from + metres * direction;
+        vec2 uv = underwaterUv(point);
+        float first = texture(underwaterPosition, clamp(uv, 0.0, 1.0)).w;
+        float here = distance(point, viewCrossing(point));
+        if (first > nothing) {
+            metres += 2.0 * leap;
+            continue;
+        }
+        float gap = first - here;
+        if (gap < 1e-3 * farthest) break;
+        metres += min(0.9 * gap, 4.0 * leap);
+    }
+    vec2 uv = clamp(underwaterUv(from + metres * direction), 0.0, 1.0);
+    vec4 seen = texture(underwaterRadiance, uv);
+    vec3 radiance = seen.rgb + (1.0 - seen.a) * ambientRadiance.rgb;
+    return radiance * extinction(waterExtinction.rgb, metres);
+}
+
+void main() {
+    vec2 inHole = position.xz - hole.xy;
+    if (hole.z > 0.0 && all(greaterThan(inHole, vec2(0.0))) && all(lessThan(inHole, hole.zw))) discard;
+    vec3 view = normalize(position - cameraPosition.xyz);
+    vec3 up = normalize(normal);
+    float ior = viewWater.y;
+    if (cameraAbove()) {
+        // Seen flatter than its own slope, a wave's far side would be hidden: it reflects at grazing incidence.
+        float cosView = max(-dot(view, up), 1e-3);
+        float through = fresnelTransmittance(cosView, 1.0 / ior);
+        vec3 below = radianceBelow(position, refractDirection(view, up, 1.0 / ior));
+        outRadiance = vec4(through * below / (ior * ior) + (1.0 - through) * skyRadiance.rgb, 1.0);
+    } else {
+        float through = fresnelTransmittance(dot(view, up), ior);
+        vec3 above = through * skyRadiance.rgb * ior * ior + (1.0 - through) * ambientRadiance.rgb;
+        outRadiance = vec4(above * extinction(waterExtinction.rgb, distance(position, cameraPosition.xyz)), 1.0);
+    }
+}
