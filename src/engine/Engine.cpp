@@ -1,0 +1,148 @@
+#include "engine/Engine.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/Framing.h"
+#include "water/FlatWater.h"
+
+namespace limpid {
+
+namespace {
+
+using Scope = gl::PassTimers::Scope;
+
+/// Float positions keep micrometres within a few hundred sizes of the scene from zero; beyond, they are counted
+/// from its middle.
+glm::dvec3 chooseOrigin(const Bounds& bounds) {
+    if (bounds.empty()) return glm::dvec3(0);
+    const double size = std::max(glm::length(bounds.size()), 1e-9);
+    return glm::length(bounds.center()) > 16 * size ? glm::round(bounds.center()) : glm::dvec3(0);
+}
+
+double farthestWater(const Light& light, const Water& water, const std::vector<glm::dvec3>& points) {
+    double farthest = 1e-6;
+    for (const glm::dvec3& p : points) farthest = std::max(farthest, glm::distance(p, entryPoint(light, water, p)));
+    return 1.02 * farthest;
+}
+
+glm::ivec2 sceneDepthSize(const glm::vec4& rect, int mapSize) {
+    // Twice the receivers' own resolution, so that shadow edges are theirs and not this map's.
+    const int longer = std::clamp(2 * mapSize, 256, 4096);
+    const float most = std::max(rect.z, rect.w);
+    return glm::max(glm::ivec2(glm::ceil(glm::vec2(rect.z, rect.w) / most * float(longer))), 1);
+}
+
+} // namespace
+
+Engine::Engine(gl::Context& context)
+    : _context(context), _surface(context), _beamTracer(context), _sceneDepthPass(context), _levelMapPass(context),
+      _smartSlicing(context), _drawnPlanes(context), _fluxAudit(context) {}
+
+void Engine::setScene(Scene scene) {
+    _scene = std::move(scene);
+    frameCamera(_scene);
+    _origin = chooseOrigin(worldBounds(_scene));
+    _patch = coveringPatch(_scene);
+    _receivers.clear();
+    _submerged.clear();
+    for (const Receiver& receiver : _scene.receivers) {
+        _receivers.emplace_back(_context, receiver, _origin);
+        _submerged.push_back(submergedPoints(receiver, _scene.water.level));
+    }
+    _lights.clear();
+    _lights.resize(_scene.lights.size());
+    _maps.clear();
+    for (std::size_t light = 0; light < _lights.size(); ++light)
+        for (std::size_t receiver = 0; receiver < _receivers.size(); ++receiver)
+            if (!_submerged[receiver].empty()) {
+                _maps.emplace_back();
+                _maps.back().light = int(light);
+                _maps.back().receiver = int(receiver);
+            }
+}
+
+void Engine::updateCaustics(double time) {
+    {
+        Scope scope(_timers, "water");
+        _surface.update(_scene.water, _patch, _origin, time);
+    }
+    for (int light = 0; light < int(_lights.size()); ++light) updateLight(light);
+    for (ReceiverMaps& maps : _maps) updateReceiver(maps);
+}
+
+bool Engine::needsSceneDepth(const Light& light) const {
+    // A receiver alone shades itself within its own map, unless a lamp sees it from other sides than the box does.
+    return entersWater(light, _scene.water) && (_receivers.size() > 1 || light.type == LightType::Point);
+}
+
+void Engine::updateLight(int index) {
+    const Light& light = _scene.lights[std::size_t(index)];
+    LightState& state = _lights[std::size_t(index)];
+    LightFrameData frame = lightFrame(light, _scene.water, _origin);
+    if (entersWater(light, _scene.water)) {
+        std::vector<glm::dvec3> points;
+        for (const auto& own : _submerged) points.insert(points.end(), own.begin(), own.end());
+        frame.sceneDepthRect = sceneDepthRect(light, _scene.water, points, _origin);
+        state.farthest = farthestWater(light, _scene.water, points);
+    }
+    {
+        Scope scope(_timers, "beams");
+        _beamTracer.trace(state.beams, _surface.mesh(), light, _scene.water, frame);
+    }
+    state.sceneDepth = {};
+    if (needsSceneDepth(light)) drawSceneDepth(index);
+}
+
+void Engine::drawSceneDepth(int index) {
+    LightState& state = _lights[std::size_t(index)];
+    Scope scope(_timers, "scene depth map");
+    _sceneDepthPass.draw(state.sceneDepth, sceneDepthSize(state.beams.rect, _scene.caustics.mapSize), state.beams,
+                         _receivers, state.farthest);
+}
+
+void Engine::updateReceiver(ReceiverMaps& maps) {
+    const Light& light = _scene.lights[std::size_t(maps.light)];
+    const CausticsSettings& settings = _scene.caustics;
+    const LightState& state = _lights[std::size_t(maps.light)];
+    const auto& points = _submerged[std::size_t(maps.receiver)];
+    {
+        Scope scope(_timers, "level map");
+        Bounds bounds;
+        for (const glm::dvec3& p : points) bounds.add(p);
+        const OrientedBox box = tightBox(points, meanDirection(light, _scene.water, bounds.center()));
+        const LevelMapPass::Inputs inputs{_receivers[std::size_t(maps.receiver)], maps.receiver, state.beams,
+                                          state.sceneDepth.id() ? &state.sceneDepth : nullptr};
+        _levelMapPass.draw(maps.level, inputs, box, settings.mapSize, settings.planes, _origin);
+    }
+    if (settings.method == Method::LevelMapSmart) {
+        Scope scope(_timers, "slicing");
+        if (settings.slicing == Slicing::Automatic && _skipping) _smartSlicing.dropEmptyPlanes(maps.level);
+        if (settings.slicing == Slicing::Levels)
+            _smartSlicing.sliceByLevels(maps.level, settings.depthLevels, settings.threshold);
+    }
+    Scope scope(_timers, "caustic map");
+    _drawnPlanes.fill(maps.caustics, maps.level, state.beams, _surface.mesh(), _scene.water);
+}
+
+FluxBalance Engine::auditFlux(int index) {
+    LightState& state = _lights[std::size_t(index)];
+    if (!state.sceneDepth.id()) drawSceneDepth(index);
+    std::vector<const LevelMap*> levels(_receivers.size(), nullptr);
+    for (const ReceiverMaps& maps : _maps)
+        if (maps.light == index) levels[std::size_t(maps.receiver)] = &maps.level;
+    Scope scope(_timers, "flux audit");
+    return _fluxAudit.count(state.beams, _surface.mesh(), _scene.water, state.sceneDepth, levels, state.farthest);
+}
+
+Picture Engine::render(double time, glm::ivec2 size) {
+    updateCaustics(time);
+    if (!_picturePass) _picturePass = std::make_unique<PicturePass>(_context);
+    Scope scope(_timers, "picture");
+    std::vector<PicturePass::Lit> lit;
+    for (const ReceiverMaps& maps : _maps)
+        lit.push_back({maps.receiver, &maps.level, &maps.caustics});
+    return _picturePass->draw({_scene, _origin, _patch, _surface.mesh(), _receivers, lit}, size);
+}
+
+} // namespace limpid

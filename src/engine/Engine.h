@@ -1,0 +1,94 @@
+#pragma once
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "caustics/CausticMap.h"
+#include "caustics/DrawnPlanes.h"
+#include "caustics/FluxAudit.h"
+#include "gl/Context.h"
+#include "gl/TimerQuery.h"
+#include "levelmap/LevelMap.h"
+#include "levelmap/ReceiverGeometry.h"
+#include "levelmap/SceneDepthMap.h"
+#include "scene/Scene.h"
+#include "view/Picture.h"
+#include "water/Beams.h"
+#include "water/WaterSurface.h"
+
+namespace limpid {
+
+/// What one light does: its beams, and what they meet first if the water were flat.
+struct LightState {
+    Beams beams;
+    gl::Texture sceneDepth;
+    double farthest = 1; ///< m of water to the farthest receiver, at most
+};
+
+/// The maps of one receiver and one light.
+struct ReceiverMaps {
+    int receiver = 0;
+    int light = 0;
+    LevelMap level;
+    CausticMap caustics;
+};
+
+/// The order of a frame. Needs a current context, which it does not own; holds everything on the GPU that one
+/// scene needs.
+class Engine {
+  public:
+    explicit Engine(gl::Context& context);
+
+    /// Uploads the receivers and prepares what does not depend on time. Every receiver has a mesh. Left-open
+    /// choices of the scene (camera, extent of the water) are made here.
+    void setScene(Scene scene);
+    const Scene& scene() const { return _scene; }
+    /// What positions on the GPU are relative to, m: zero unless the scene is far from it.
+    const glm::dvec3& origin() const { return _origin; }
+    const WaterPatch& waterPatch() const { return _patch; }
+
+    /// Water at `time` (s), beams, level maps, caustic maps: thesis figure 4-17.
+    void updateCaustics(double time);
+    /// One entry for each light and each receiver that reaches into the water, lights outermost.
+    const std::vector<ReceiverMaps>& maps() const { return _maps; }
+    const LightState& light(int index) const { return _lights[std::size_t(index)]; }
+
+    /// Where the light went, all but `deposited`. After updateCaustics; waits for the GPU.
+    FluxBalance auditFlux(int light);
+
+    /// updateCaustics, then the scene as its camera sees it.
+    Picture render(double time, glm::ivec2 size);
+
+    /// Off: all work is done that skipping would save (here: planes that no texel belongs to). The result is the same.
+    void setSkipping(bool on) { _skipping = on; }
+
+    gl::PassTimers& timers() { return _timers; }
+
+  private:
+    void updateLight(int light);
+    void updateReceiver(ReceiverMaps& maps);
+    void drawSceneDepth(int light);
+    bool needsSceneDepth(const Light& light) const;
+
+    gl::Context& _context;
+    gl::PassTimers _timers;
+    WaterSurface _surface;
+    BeamTracer _beamTracer;
+    SceneDepthPass _sceneDepthPass;
+    LevelMapPass _levelMapPass;
+    SmartSlicing _smartSlicing;
+    DrawnPlanes _drawnPlanes;
+    FluxAudit _fluxAudit;
+    std::unique_ptr<PicturePass> _picturePass; ///< made for the first picture: a bake needs none
+
+    bool _skipping = true;
+    Scene _scene;
+    glm::dvec3 _origin{0};
+    WaterPatch _patch;
+    std::vector<ReceiverGeometry> _receivers;
+    std::vector<std::vector<glm::dvec3>> _submerged; ///< of each receiver, in the world
+    std::vector<LightState> _lights;
+    std::vector<ReceiverMaps> _maps;
+};
+
+} // namespace limpid

@@ -1,0 +1,37 @@
+#include "engine/Readback.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/Optics.h"
+
+namespace limpid {
+
+MapData readMaps(const ReceiverMaps& maps, const glm::dvec3& origin) {
+    const TexelFrame& frame = maps.level.frame;
+    const auto position = maps.level.position.readFloats(GL_RG, 2);
+    const auto normal = maps.level.normal.readFloats(GL_RG, 2);
+    const auto irradiance = maps.caustics.irradiance.readFloats(GL_RGBA, 4);
+    const std::size_t texels = std::size_t(frame.size.x) * std::size_t(frame.size.y);
+    MapData data{frame.size, std::vector<float>(3 * texels), std::vector<float>(4 * texels),
+                 std::vector<float>(3 * texels), std::vector<float>(texels), 0};
+    for (std::size_t i = 0; i < texels; ++i) {
+        if (position[2 * i + 1] == -1.0f) continue;
+        const glm::dvec2 texel(double(i % std::size_t(frame.size.x)) + 0.5, double(i / std::size_t(frame.size.x)) + 0.5);
+        const glm::dvec3 p = frame.box.point({texel * frame.texel, double(position[2 * i])}) - origin;
+        const glm::vec3 n = shader::octahedralDecode({normal[2 * i], normal[2 * i + 1]});
+        const double facing = std::abs(glm::dot(glm::dvec3(n), frame.box.t));
+        for (int c = 0; c < 3; ++c) {
+            data.irradiance[3 * i + std::size_t(c)] = irradiance[4 * i + std::size_t(c)];
+            data.position[4 * i + std::size_t(c)] = float(p[c]);
+            data.normal[3 * i + std::size_t(c)] = n[c];
+        }
+        data.position[4 * i + 3] = 1;
+        // The octahedral grid is 4e-5 wide: a face that stands closer to the light than that has no area of its own.
+        data.normalDotAxis[i] = float(std::max(facing, 4e-5));
+    }
+    data.deposited = depositedFlux(data.irradiance, data.normalDotAxis, frame.texelArea());
+    return data;
+}
+
+} // namespace limpid
