@@ -1,0 +1,90 @@
+#include <fmt/format.h>
+
+#include "apps/Common.h"
+#include "engine/Engine.h"
+#include "engine/Readback.h"
+#include "io/BakedFolder.h"
+
+namespace limpid::apps {
+
+namespace {
+
+struct BakeOptions {
+    CommonOptions common;
+    std::string output;
+    double time = 0;
+};
+
+io::BakedMap bakedMap(const Engine& engine, const ReceiverMaps& maps) {
+    MapData data = readMaps(maps, engine.origin());
+    io::BakedMap baked;
+    baked.receiver = engine.scene().receivers[std::size_t(maps.receiver)].name;
+    baked.light = engine.scene().lights[std::size_t(maps.light)].name;
+    baked.size = data.size;
+    baked.irradiance = std::move(data.irradiance);
+    baked.position = std::move(data.position);
+    baked.normal = std::move(data.normal);
+    TexelFrame frame = maps.level.frame;
+    frame.box.corner -= engine.origin();
+    baked.worldToTexture = frame.worldToTexture();
+    baked.planesRequested = maps.level.requestedPlanes;
+    baked.planesDrawn = int(maps.level.planes.size());
+    baked.deposited = data.deposited;
+    return baked;
+}
+
+io::BakedLight bakedLight(Engine& engine, int index, const std::vector<io::BakedMap>& maps) {
+    FluxBalance flux = engine.auditFlux(index);
+    const std::string& name = engine.scene().lights[std::size_t(index)].name;
+    for (const io::BakedMap& map : maps)
+        if (map.light == name) flux.deposited += map.deposited;
+    const int beams = engine.light(index).beams.triangleCount;
+    return {name,           beams,          beams,       flux.entering, flux.absorbed, flux.scattered,
+            flux.deposited, flux.missed, flux.rejected, flux.residual()};
+}
+
+void printBake(const io::Bake& bake) {
+    for (const io::BakedMap& map : bake.maps)
+        fmt::print("{} in {}: {} x {} texels, {} of {} planes, {:.6g} W\n", map.receiver, map.light, map.size.x,
+                   map.size.y, map.planesDrawn, map.planesRequested, map.deposited);
+    for (const io::BakedLight& light : bake.lights)
+        fmt::print("{}: {:.6g} W enter; {:.6g} deposited, {:.6g} absorbed, {:.6g} scattered, {:.6g} missed, {:.6g} "
+                   "rejected; residual {:.3g} ({:.3f} %)\n",
+                   light.light, light.entering, light.deposited, light.absorbed, light.scattered, light.missed,
+                   light.rejected, light.residual,
+                   light.entering > 0 ? 100 * light.residual / light.entering : 0.0);
+}
+
+void bake(const BakeOptions& options) {
+    Scene scene = loadScene(options.common);
+    gl::Context context(contextOptions(options.common));
+    Engine engine(context);
+    engine.setSkipping(!options.common.noSkip);
+    engine.setScene(std::move(scene));
+    engine.updateCaustics(options.time);
+    io::Bake result;
+    result.device = context.info().renderer;
+    result.input = options.common.input;
+    result.method = methodName(engine.scene().caustics.method);
+    result.time = options.time;
+    result.origin = engine.origin();
+    for (const ReceiverMaps& maps : engine.maps()) result.maps.push_back(bakedMap(engine, maps));
+    for (int light = 0; light < int(engine.scene().lights.size()); ++light)
+        result.lights.push_back(bakedLight(engine, light, result.maps));
+    io::writeBake(options.output, result);
+    if (!options.common.quiet) printBake(result);
+    if (options.common.verbose) printWork(engine, context);
+}
+
+} // namespace
+
+void addBake(CLI::App& app) {
+    auto* command = app.add_subcommand("bake", "caustic maps as data: index.json and OpenEXR files");
+    auto options = std::make_shared<BakeOptions>();
+    addCommonOptions(*command, options->common);
+    command->add_option("-o,--output", options->output, "folder to write to")->required();
+    command->add_option("--time", options->time, "seconds");
+    command->callback([options] { bake(*options); });
+}
+
+} // namespace limpid::apps

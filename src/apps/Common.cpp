@@ -1,0 +1,74 @@
+#include "apps/Common.h"
+
+#include <charconv>
+
+#include <fmt/format.h>
+
+#include "core/Error.h"
+
+namespace limpid::apps {
+
+void addCommonOptions(CLI::App& command, CommonOptions& options) {
+    command.add_option("INPUT", options.input, "scene (.toml) or model (.glb, .gltf)")->required();
+    command.add_option("--method", options.method, "how caustics are computed: level-map, level-map-smart");
+    command.add_option("--planes", options.planes, "reference planes of a box, before slicing drops any");
+    command.add_option("--map-size", options.mapSize, "texels on the longer side of a map");
+    command.add_option("--set", options.settings, "KEY=VALUE: change any key of the scene (repeatable)")
+        ->allow_extra_args(false)
+        ->take_all();
+    command.add_flag("--no-skip", options.noSkip, "do all work that skipping would save; the result is the same");
+    command.add_option("--device", options.device, "EGL device, by number or part of its name (see limpid info)");
+    command.add_flag("--quiet", options.quiet, "print errors only");
+    command.add_flag("--verbose", options.verbose, "print times, planes and memory");
+}
+
+Scene loadScene(const CommonOptions& options) {
+    std::vector<io::Override> overrides;
+    for (const std::string& setting : options.settings) {
+        const std::size_t equals = setting.find('=');
+        if (equals == std::string::npos || equals == 0)
+            throw InputError(fmt::format("--set: expected KEY=VALUE, found \"{}\"", setting));
+        overrides.push_back({setting.substr(0, equals), setting.substr(equals + 1)});
+    }
+    if (!options.method.empty()) overrides.push_back({"caustics.method", options.method});
+    if (options.planes != 0) overrides.push_back({"caustics.planes", std::to_string(options.planes)});
+    if (options.mapSize != 0) overrides.push_back({"caustics.map_size", std::to_string(options.mapSize)});
+    return io::loadScene(options.input, overrides);
+}
+
+gl::ContextOptions contextOptions(const CommonOptions& options) {
+    gl::ContextOptions context;
+    context.device = options.device;
+#ifndef NDEBUG
+    context.debug = true;
+#endif
+    return context;
+}
+
+glm::ivec2 parseSize(const std::string& text) {
+    glm::ivec2 size(0);
+    const char* end = text.data() + text.size();
+    const auto width = std::from_chars(text.data(), end, size.x);
+    if (width.ec == std::errc() && width.ptr != end && *width.ptr == 'x') {
+        const auto height = std::from_chars(width.ptr + 1, end, size.y);
+        if (height.ec == std::errc() && height.ptr == end && size.x >= 1 && size.y >= 1 && size.x <= 7680 &&
+            size.y <= 7680)
+            return size;
+    }
+    throw InputError(fmt::format("--size: expected WxH with 1 to 7680 pixels each, found \"{}\"", text));
+}
+
+void printWork(Engine& engine, gl::Context& context) {
+    fmt::print("GPU: {}\n", context.info().renderer);
+    for (const auto& [pass, ms] : engine.timers().collect()) fmt::print("  {:<18} {:10.2f} ms\n", pass, ms);
+    for (const ReceiverMaps& maps : engine.maps())
+        fmt::print("  {} in {}: {} of {} planes\n", engine.scene().receivers[std::size_t(maps.receiver)].name,
+                   engine.scene().lights[std::size_t(maps.light)].name, maps.level.planes.size(),
+                   maps.level.requestedPlanes);
+    for (const auto& [kind, bytes] : context.ledger().byKind())
+        fmt::print("  {:<18} {:10.2f} MiB\n", kind, double(bytes) / (1 << 20));
+    fmt::print("  {:<18} {:10.2f} MiB, at most {:.2f} MiB\n", "total", double(context.ledger().total()) / (1 << 20),
+               double(context.ledger().peak()) / (1 << 20));
+}
+
+} // namespace limpid::apps

@@ -1,0 +1,44 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "engine/Engine.h"
+#include "gl/Context.h"
+#include "io/SceneFile.h"
+
+namespace limpid::apps {
+
+/// What every command that works on a scene takes.
+struct CommonOptions {
+    std::string input;
+    std::string method;
+    int planes = 0;
+    int mapSize = 0;
+    std::vector<std::string> settings; ///< KEY=VALUE
+    bool noSkip = false;
+    std::string device;
+    bool quiet = false;
+    bool verbose = false;
+};
+
+void addCommonOptions(CLI::App& command, CommonOptions& options);
+
+/// The scene with everything that the command line says about it. Throws InputError.
+Scene loadScene(const CommonOptions& options);
+
+/// Throws GraphicsError. Debug builds check every call.
+gl::ContextOptions contextOptions(const CommonOptions& options);
+
+/// "WxH" in pixels. Throws InputError.
+glm::ivec2 parseSize(const std::string& text);
+
+/// GPU time by pass, planes, GPU bytes by kind, on stdout.
+void printWork(Engine& engine, gl::Context& context);
+
+void addRender(CLI::App& app);
+void addBake(CLI::App& app);
+void addInfo(CLI::App& app);
+
+} // namespace limpid::apps

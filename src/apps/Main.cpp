@@ -1,0 +1,52 @@
+#include <cstdio>
+#include <exception>
+#include <new>
+
+#include <fmt/format.h>
+
+#include "apps/Common.h"
+#include "core/Error.h"
+
+namespace {
+
+int fail(int code, const char* what) {
+    fmt::print(stderr, "limpid: {}\n", what);
+    return code;
+}
+
+int run(int argc, char** argv) {
+    CLI::App app("Light through moving water: caustics on glTF receivers.", "limpid");
+    app.require_subcommand(1);
+    app.set_version_flag("--version", std::string("limpid ") + LIMPID_VERSION);
+    app.footer("Exit: 0 done, 2 wrong usage or bad input, 3 the graphics system failed.");
+    limpid::apps::addRender(app);
+    limpid::apps::addBake(app);
+    limpid::apps::addInfo(app);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        if (error.get_exit_code() == 0) return app.exit(error);
+        if (argc < 2) {
+            fmt::print(stderr, "{}", app.help());
+            return 2;
+        }
+        return fail(2, fmt::format("{} (see limpid --help)", error.what()).c_str());
+    }
+    return 0;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    try {
+        return run(argc, argv);
+    } catch (const limpid::InputError& error) {
+        return fail(2, error.what());
+    } catch (const limpid::GraphicsError& error) {
+        return fail(3, error.what());
+    } catch (const std::bad_alloc&) {
+        return fail(3, "out of memory");
+    } catch (const std::exception& error) {
+        return fail(3, error.what());
+    }
+}

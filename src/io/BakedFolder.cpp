@@ -1,0 +1,73 @@
+#include "io/BakedFolder.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "core/Error.h"
+#include "io/Files.h"
+#include "io/Images.h"
+
+namespace limpid::io {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json lightJson(const BakedLight& light) {
+    return {{"light", light.light},
+            {"beams", light.beams},
+            {"beams_drawn", light.beamsDrawn},
+            {"flux",
+             {{"entering", light.entering},
+              {"absorbed", light.absorbed},
+              {"scattered", light.scattered},
+              {"deposited", light.deposited},
+              {"missed", light.missed},
+              {"rejected", light.rejected},
+              {"residual", light.residual}}}};
+}
+
+std::string fileName(const BakedMap& map, const char* what) {
+    return fmt::format("{}.{}.{}.exr", map.receiver, map.light, what);
+}
+
+Json mapJson(const BakedMap& map) {
+    Json matrix = Json::array();
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 4; ++row) matrix.push_back(map.worldToTexture[column][row]);
+    return {{"receiver", map.receiver},
+            {"light", map.light},
+            {"size", {map.size.x, map.size.y}},
+            {"irradiance", fileName(map, "irradiance")},
+            {"position", fileName(map, "position")},
+            {"normal", fileName(map, "normal")},
+            {"world_to_texture", matrix},
+            {"planes", {{"requested", map.planesRequested}, {"drawn", map.planesDrawn}}},
+            {"flux", {{"deposited", map.deposited}}}};
+}
+
+} // namespace
+
+void writeBake(const std::filesystem::path& folder, const Bake& bake) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (!std::filesystem::is_directory(folder))
+        throw InputError(fmt::format("{}: expected a folder to write to, found {}", folder.string(),
+                                     error ? error.message() : "a file"));
+    std::filesystem::remove(folder / "index.json", error);
+    Json index = {{"limpid", LIMPID_VERSION}, {"device", bake.device}, {"input", bake.input},
+                  {"method", bake.method},    {"time", bake.time},
+                  {"origin", {bake.origin.x, bake.origin.y, bake.origin.z}}};
+    index["lights"] = Json::array();
+    index["maps"] = Json::array();
+    for (const BakedLight& light : bake.lights) index["lights"].push_back(lightJson(light));
+    for (const BakedMap& map : bake.maps) {
+        writeExr(folder / fileName(map, "irradiance"), map.size.x, map.size.y, {"R", "G", "B"}, map.irradiance);
+        writeExr(folder / fileName(map, "position"), map.size.x, map.size.y, {"R", "G", "B", "A"}, map.position);
+        writeExr(folder / fileName(map, "normal"), map.size.x, map.size.y, {"R", "G", "B"}, map.normal);
+        index["maps"].push_back(mapJson(map));
+    }
+    writeText(folder / "index.json", index.dump(2) + "\n");
+}
+
+} // namespace limpid::io

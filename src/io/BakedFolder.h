@@ -1,0 +1,40 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+namespace limpid::io {
+
+/// The maps of one receiver and light, as they go into a baked folder. Rows from the top of the box.
+struct BakedMap {
+    std::string receiver, light;
+    glm::ivec2 size{0};
+    std::vector<float> irradiance; ///< RGB, W/m² on the receiver's own surface
+    std::vector<float> position;   ///< RGBA: m relative to the origin; 1 where there is a receiver
+    std::vector<float> normal;     ///< RGB: unit, geometric, facing the box's top
+    glm::dmat4 worldToTexture{1};
+    int planesRequested = 0, planesDrawn = 0;
+    double deposited = 0; ///< W
+};
+
+struct BakedLight {
+    std::string light;
+    int beams = 0, beamsDrawn = 0;
+    double entering = 0, absorbed = 0, scattered = 0, deposited = 0, missed = 0, rejected = 0, residual = 0; ///< W
+};
+
+struct Bake {
+    std::string device, input, method;
+    double time = 0; ///< s
+    glm::dvec3 origin{0};
+    std::vector<BakedLight> lights;
+    std::vector<BakedMap> maps;
+};
+
+/// Writes `index.json` and the EXR files of every map into `folder`, which is made if need be; the index comes last,
+/// so that a folder with an index is whole. Throws InputError when it cannot be written.
+void writeBake(const std::filesystem::path& folder, const Bake& bake);
+
+} // namespace limpid::io

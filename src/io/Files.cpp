@@ -1,0 +1,87 @@
+#include "io/Files.h"
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <stdexcept>
+#include <system_error>
+
+#include <unistd.h>
+
+#include <fmt/format.h>
+
+#include "core/Error.h"
+
+namespace fs = std::filesystem;
+
+namespace limpid::io {
+
+std::string oneLine(std::string_view text, std::size_t limit) {
+    std::string line;
+    for (const char c : text) {
+        const bool blank = static_cast<unsigned char>(c) <= ' ' || c == '\x7f';
+        if (!blank)
+            line += c;
+        else if (!line.empty() && line.back() != ' ')
+            line += ' ';
+    }
+    while (!line.empty() && line.back() == ' ')
+        line.pop_back();
+    if (line.size() <= limit) return line;
+    std::size_t end = limit;
+    while (end > 0 && (static_cast<unsigned char>(line[end]) & 0xC0) == 0x80)
+        --end; // not inside a character
+    return line.substr(0, end) + "…";
+}
+
+void requireFile(const fs::path& file) {
+    std::error_code error;
+    const fs::file_status status = fs::status(file, error);
+    const auto fail = [&](const char* found) {
+        throw InputError(fmt::format("{}: expected a file, found {}", oneLine(file.string()), found));
+    };
+    if (status.type() == fs::file_type::not_found) fail("nothing of that name");
+    if (error) fail(error.message().c_str());
+    if (fs::is_directory(status)) fail("a folder");
+    if (!fs::is_regular_file(status)) fail("something that is no regular file");
+    if (fs::file_size(file, error) == 0) fail("an empty file");
+}
+
+std::vector<std::uint8_t> readBytes(const fs::path& file) {
+    requireFile(file);
+    std::ifstream stream(file, std::ios::binary);
+    std::vector<std::uint8_t> bytes;
+    if (stream) {
+        bytes.resize(fs::file_size(file));
+        stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+    }
+    if (!stream)
+        throw InputError(fmt::format("{}: cannot read: {}", oneLine(file.string()), std::strerror(errno)));
+    return bytes;
+}
+
+void writeWhole(const fs::path& file, const std::function<void(const fs::path&)>& write) {
+    fs::path partial = file;
+    partial.replace_filename(
+        fmt::format("{}.partial-{}{}", file.stem().string(), ::getpid(), file.extension().string()));
+    try {
+        if (fs::is_directory(file)) throw std::runtime_error("it is a folder");
+        write(partial);
+        fs::rename(partial, file);
+    } catch (const std::exception& error) {
+        std::error_code ignored;
+        fs::remove(partial, ignored);
+        throw InputError(fmt::format("{}: cannot write: {}", oneLine(file.string()), oneLine(error.what())));
+    }
+}
+
+void writeText(const fs::path& file, const std::string& text) {
+    writeWhole(file, [&](const fs::path& partial) {
+        std::ofstream stream(partial, std::ios::binary);
+        stream << text;
+        stream.close();
+        if (!stream) throw std::runtime_error(std::strerror(errno));
+    });
+}
+
+} // namespace limpid::io

@@ -1,0 +1,32 @@
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+/// Pictures in and out. Rows run from the top, channels are interleaved. Files appear whole or not at all.
+namespace limpid::io {
+
+/// `data` holds width · height · channels numbers, as stored in the file: 8- and 16-bit integers scaled to
+/// [0, 1], no colour conversion.
+struct FloatImage {
+    int width = 0;
+    int height = 0;
+    int channels = 0;
+    std::vector<std::string> channelNames;
+    std::vector<float> data;
+};
+
+/// Writes float32 OpenEXR, zip-compressed. `data` holds width · height · channelNames.size() numbers.
+/// Throws InputError if the file cannot be written.
+void writeExr(const std::filesystem::path& file, int width, int height, std::vector<std::string> channelNames,
+              std::span<const float> data);
+
+/// Writes 8-bit sRGB. `rgb` holds width · height · 3 bytes. Throws InputError if the file cannot be written.
+void writePng(const std::filesystem::path& file, int width, int height, std::span<const std::uint8_t> rgb);
+
+/// Reads the first picture of any file that OpenImageIO knows. Throws InputError if it cannot be read.
+FloatImage readImage(const std::filesystem::path& file);
+
+} // namespace limpid::io

@@ -1,0 +1,275 @@
+#include "io/SceneParser.h"
+
+#include <cmath>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "core/Error.h"
+#include "io/Files.h"
+#include "io/Gltf.h"
+#include "io/TomlReader.h"
+#include "scene/Shapes.h"
+
+namespace fs = std::filesystem;
+
+namespace limpid::io {
+
+namespace {
+
+constexpr std::size_t maxLights = 64;
+constexpr std::size_t maxReceivers = 4096;
+constexpr std::size_t maxWaves = 1024;
+constexpr std::size_t maxNameLength = 100;
+
+using Names = std::set<std::string>;
+
+void parseWhole(TomlTable& table, std::string_view key, int& value, int min, int max) {
+    std::int64_t number = value;
+    table.wholeNumber(key, number, min, max);
+    value = static_cast<int>(number);
+}
+
+/// The entry's own name, or `prefix` and its number; unique among `taken`.
+std::string parseName(TomlTable& table, const char* prefix, std::size_t number, Names& taken) {
+    std::string name = fmt::format("{}{}", prefix, number);
+    const std::string expected =
+        fmt::format("a name of 1 to {} letters, digits, _, - and ., no dot in front", maxNameLength);
+    table.text("name", name, expected);
+    if (!isName(name)) table.fail("name", expected);
+    if (!taken.insert(name).second)
+        throw InputError(fmt::format("{}expected a name that no other {} has, found \"{}\"",
+                                     table.where("name"), prefix, name));
+    return name;
+}
+
+Camera parseCamera(TomlTable table) {
+    Camera camera;
+    table.vector("position", camera.position, anyNumber);
+    table.vector("target", camera.target, anyNumber);
+    table.direction("up", camera.up);
+    table.number("vertical_fov", camera.verticalFov,
+                 {.min = 0, .max = 180, .openMin = true, .openMax = true, .text = " > 0 and < 180"});
+    table.number("exposure", camera.exposure, {.min = -64, .max = 64, .text = " from -64 to 64"});
+    table.finish();
+    if (camera.position && camera.target && *camera.position == *camera.target)
+        table.fail("target", "a point other than the position");
+    return camera;
+}
+
+WaveType parseWaveType(TomlTable& table) {
+    constexpr std::string_view names[] = {"cosine", "circular", "noise"};
+    return static_cast<WaveType>(table.choice("type", names, " (phillips and heightmap come later)"));
+}
+
+Wave parseWave(TomlTable table) {
+    Wave wave;
+    wave.type = parseWaveType(table);
+    table.number("amplitude", wave.amplitude, anyNumber);
+    table.number("wavelength", wave.wavelength, positive);
+    table.number("speed", wave.speed, anyNumber);
+    if (wave.type == WaveType::Noise) {
+        std::int64_t seed = wave.seed;
+        parseWhole(table, "octaves", wave.octaves, 1, 12);
+        table.wholeNumber("seed", seed, 0, 0xFFFFFFFF);
+        wave.seed = static_cast<std::uint32_t>(seed);
+    } else {
+        table.number("phase", wave.phase, anyNumber);
+    }
+    if (wave.type == WaveType::Cosine) table.direction("direction", wave.direction);
+    if (wave.type == WaveType::Circular) table.vector("center", wave.center, anyNumber);
+    table.finish(wave.type == WaveType::Noise      ? " of a noise wave"
+                 : wave.type == WaveType::Circular ? " of a circular wave"
+                                                   : " of a cosine wave");
+    return wave;
+}
+
+Water parseWater(TomlTable table) {
+    Water water;
+    table.number("level", water.level, anyNumber);
+    table.vector("center", water.center, anyNumber);
+    table.vector("size", water.size, positive);
+    std::array<std::int64_t, 2> grid = {water.grid.x, water.grid.y};
+    table.wholeNumbers("grid", grid, 1, 8192);
+    water.grid = {static_cast<int>(grid[0]), static_cast<int>(grid[1])};
+    table.number("ior", water.ior, {.min = 1, .max = 4, .text = " from 1 to 4"});
+    table.vector("absorption", water.absorption, nonNegative);
+    table.vector("scattering", water.scattering, nonNegative);
+    table.number("anisotropy", water.anisotropy,
+                 {.min = -1, .max = 1, .openMin = true, .openMax = true, .text = " > -1 and < 1"});
+    for (TomlTable& wave : table.tables("wave", maxWaves))
+        water.waves.push_back(parseWave(std::move(wave)));
+    table.finish();
+    return water;
+}
+
+Light parseLight(TomlTable table, std::size_t number, Names& taken) {
+    constexpr std::string_view types[] = {"directional", "point"};
+    Light light;
+    light.name = parseName(table, "light", number, taken);
+    light.type = static_cast<LightType>(table.choice("type", types));
+    if (light.type == LightType::Point) {
+        if (!table.has("position")) table.fail("position", "three numbers");
+        table.vector("position", light.position, anyNumber);
+        table.vector("intensity", light.intensity, nonNegative);
+        table.finish(" of a point light");
+    } else {
+        table.direction("direction", light.direction);
+        table.vector("irradiance", light.irradiance, nonNegative);
+        table.number("angular_diameter", light.angularDiameter,
+                     {.min = 0, .max = 10, .text = " from 0 to 10"});
+        table.finish(" of a directional light");
+    }
+    return light;
+}
+
+glm::vec3 parseAlbedo(TomlTable& table) {
+    glm::dvec3 albedo(0.8);
+    table.vector("albedo", albedo, nonNegative);
+    return glm::vec3(albedo);
+}
+
+/// A shape's table: its size, which has no default, under `key`.
+template <int N>
+glm::vec<N, double> parseShape(TomlTable& receiver, std::string_view shape, std::string_view key) {
+    TomlTable table = *receiver.table(shape);
+    glm::vec<N, double> size(1.0);
+    if (!table.has(key)) table.fail(key, N == 1 ? "a number > 0" : fmt::format("{} numbers > 0", N));
+    if constexpr (N == 1)
+        table.number(key, size.x, positive);
+    else
+        table.vector(key, size, positive);
+    table.finish();
+    return size;
+}
+
+std::shared_ptr<const Mesh> loadModel(TomlTable& table, const fs::path& folder, MeshCache& meshes) {
+    std::string name;
+    table.text("gltf", name, "the path of a .glb or .gltf file");
+    const fs::path file = folder / name;
+    try {
+        requireFile(file);
+    } catch (const InputError& error) {
+        throw InputError(table.where("gltf") + error.what());
+    }
+    const fs::path key = fs::weakly_canonical(file);
+    std::shared_ptr<const Mesh>& mesh = meshes[key];
+    if (!mesh) mesh = std::make_shared<const Mesh>(loadGltf(file));
+    return mesh;
+}
+
+std::shared_ptr<const Mesh> parseMesh(TomlTable& table, const fs::path& folder, MeshCache& meshes) {
+    int count = 0;
+    for (const std::string_view key : {"plane", "sphere", "box", "gltf"})
+        count += table.has(key);
+    if (count != 1)
+        throw InputError(fmt::format("{}expected exactly one of plane, sphere, box and gltf, found {}",
+                                     table.where(""), count == 0 ? "none" : std::to_string(count)));
+    if (table.has("gltf")) return loadModel(table, folder, meshes);
+    const glm::vec3 albedo = parseAlbedo(table);
+    if (table.has("plane"))
+        return std::make_shared<const Mesh>(makePlane(parseShape<2>(table, "plane", "size"), albedo));
+    if (table.has("box"))
+        return std::make_shared<const Mesh>(makeBox(parseShape<3>(table, "box", "size"), albedo));
+    return std::make_shared<const Mesh>(makeSphere(parseShape<1>(table, "sphere", "radius").x, albedo));
+}
+
+Receiver parseReceiver(TomlTable table, std::size_t number, Names& taken, const fs::path& folder,
+                       MeshCache& meshes) {
+    Receiver receiver;
+    receiver.name = parseName(table, "receiver", number, taken);
+    table.vector("translation", receiver.translation, anyNumber);
+    glm::dvec4 rotation(0, 0, 0, 1);
+    table.direction("rotation", rotation);
+    receiver.rotation = glm::normalize(glm::dquat(rotation.w, rotation.x, rotation.y, rotation.z));
+    table.vector("scale", receiver.scale, anyNumber);
+    if (receiver.scale.x == 0 || receiver.scale.y == 0 || receiver.scale.z == 0)
+        table.fail("scale", "three numbers other than 0");
+    const bool shape = !table.has("gltf");
+    receiver.mesh = parseMesh(table, folder, meshes);
+    table.finish(shape ? " of a receiver" : " of a glTF receiver");
+    return receiver;
+}
+
+CausticsSettings parseCaustics(TomlTable table) {
+    CausticsSettings caustics;
+    std::vector<std::string_view> methods;
+    for (const Method method : {caustics.method, Method::LevelMap, Method::LevelMapSmart})
+        if (methods.empty() || methodName(method) != methods.front()) methods.push_back(methodName(method));
+    caustics.method =
+        *methodFromName(methods[table.choice("method", methods, " (the methods there are so far)")]);
+    parseWhole(table, "map_size", caustics.mapSize, 1, 16384);
+    parseWhole(table, "planes", caustics.planes, 1, 4096);
+    constexpr std::string_view fills[] = {"drawn"};
+    table.choice("fill", fills, " (one-pass comes later)");
+    constexpr std::string_view slicings[] = {"automatic", "levels"};
+    caustics.slicing = static_cast<Slicing>(table.choice("slicing", slicings));
+    parseWhole(table, "depth_levels", caustics.depthLevels, 1, 4096);
+    table.number("threshold", caustics.threshold,
+                 {.min = 0, .max = 1, .openMin = true, .text = " > 0 and <= 1"});
+    table.finish();
+    return caustics;
+}
+
+void parseRadiance(TomlTable& root, std::string_view key, glm::dvec3& radiance) {
+    std::optional<TomlTable> table = root.table(key);
+    if (!table) return;
+    table->vector("radiance", radiance, nonNegative);
+    table->finish();
+}
+
+void parseGodrays(TomlTable& root) {
+    std::optional<TomlTable> table = root.table("godrays");
+    if (!table) return;
+    constexpr std::string_view methods[] = {"none"};
+    table->choice("method", methods, " (photon-lines and tetrahedra come later)");
+    table->finish();
+}
+
+/// Names become `RECEIVER.LIGHT.…` in file names, where dots inside of them could make two pairs one.
+void checkPairs(const Scene& scene, const std::string& file) {
+    Names pairs;
+    for (const Receiver& receiver : scene.receivers)
+        for (const Light& light : scene.lights)
+            if (const std::string pair = receiver.name + '.' + light.name; !pairs.insert(pair).second)
+                throw InputError(
+                    fmt::format("{}: expected names that tell receivers and lights apart, found two "
+                                "pairs named \"{}\"",
+                                oneLine(file), pair));
+}
+
+} // namespace
+
+bool isName(const std::string& name) {
+    constexpr std::string_view allowed = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-.";
+    return !name.empty() && name.size() <= maxNameLength && name.front() != '.' &&
+           name.find_first_not_of(allowed) == std::string::npos;
+}
+
+Scene parseScene(const toml::table& root, const fs::path& file, MeshCache& meshes) {
+    const std::string fileName = file.string();
+    const fs::path folder = file.parent_path();
+    TomlTable table(root, "", fileName);
+    Scene scene;
+    if (auto camera = table.table("camera")) scene.camera = parseCamera(std::move(*camera));
+    if (auto water = table.table("water")) scene.water = parseWater(std::move(*water));
+    Names lightNames, receiverNames;
+    for (TomlTable& light : table.tables("light", maxLights))
+        scene.lights.push_back(parseLight(std::move(light), scene.lights.size(), lightNames));
+    parseRadiance(table, "sky", scene.skyRadiance);
+    parseRadiance(table, "ambient", scene.ambientRadiance);
+    if (auto caustics = table.table("caustics")) scene.caustics = parseCaustics(std::move(*caustics));
+    parseGodrays(table);
+    std::vector<TomlTable> receivers = table.tables("receiver", maxReceivers);
+    table.finish(); // before models are loaded: a misspelt key should not have to wait for them
+    if (receivers.empty())
+        throw InputError(
+            fmt::format("{}: receiver: expected at least one [[receiver]], found none", oneLine(fileName)));
+    for (TomlTable& receiver : receivers)
+        scene.receivers.push_back(
+            parseReceiver(std::move(receiver), scene.receivers.size(), receiverNames, folder, meshes));
+    checkPairs(scene, fileName);
+    return scene;
+}
+
+} // namespace limpid::io

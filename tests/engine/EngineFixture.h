@@ -1,0 +1,42 @@
+#pragma once
+#include "engine/Engine.h"
+#include "engine/Readback.h"
+#include "engine/Scenes.h"
+#include "gl/GLFixture.h"
+
+namespace limpid {
+
+/// What a bake of a scene gives, map by map and light by light.
+struct Baked {
+    std::vector<MapData> maps;
+    std::vector<int> planesDrawn, planesRequested;
+    std::vector<TexelFrame> frames;
+    std::vector<FluxBalance> flux;
+};
+
+class EngineGLTest : public GLTest {
+  protected:
+    static Baked bake(Engine& engine, const Scene& scene, bool audit = false) {
+        engine.setScene(scene);
+        engine.updateCaustics(0);
+        Baked baked;
+        for (const ReceiverMaps& maps : engine.maps()) {
+            baked.maps.push_back(readMaps(maps, engine.origin()));
+            baked.planesDrawn.push_back(int(maps.level.planes.size()));
+            baked.planesRequested.push_back(maps.level.requestedPlanes);
+            baked.frames.push_back(maps.level.frame);
+        }
+        for (int light = 0; audit && light < int(scene.lights.size()); ++light) {
+            baked.flux.push_back(engine.auditFlux(light));
+            for (std::size_t i = 0; i < baked.maps.size(); ++i)
+                if (engine.maps()[i].light == light) baked.flux.back().deposited += baked.maps[i].deposited;
+        }
+        return baked;
+    }
+    static Baked bake(const Scene& scene, bool audit = false) {
+        Engine engine(context());
+        return bake(engine, scene, audit);
+    }
+};
+
+} // namespace limpid

@@ -1,0 +1,54 @@
+#pragma once
+#include <cmath>
+#include <filesystem>
+#include <memory>
+
+#include "io/Gltf.h"
+#include "scene/Scene.h"
+#include "scene/Shapes.h"
+
+/// Small scenes that several tests use.
+namespace limpid::scenes {
+
+inline Receiver shape(const char* name, Mesh mesh, const glm::dvec3& translation) {
+    Receiver receiver;
+    receiver.name = name;
+    receiver.mesh = std::make_shared<const Mesh>(std::move(mesh));
+    receiver.translation = translation;
+    return receiver;
+}
+
+inline Receiver floorAt(double y, double size = 2) {
+    return shape("floor", makePlane(glm::dvec2(size), glm::vec3(0.8f)), {0, y, 0});
+}
+
+inline Receiver model(const char* name, double y) {
+    Mesh mesh = io::loadGltf(std::filesystem::path(LIMPID_ROOT) / "models" / (std::string(name) + ".glb"));
+    return shape(name, std::move(mesh), {0, y, 0});
+}
+
+/// Sun `degrees` from vertical, travelling towards +x.
+inline Light sunAt(double degrees, const char* name = "sun") {
+    Light light;
+    light.name = name;
+    light.direction = {std::sin(glm::radians(degrees)), -std::cos(glm::radians(degrees)), 0};
+    return light;
+}
+
+inline Wave cosine(double amplitude, double wavelength, const glm::dvec2& direction) {
+    Wave wave;
+    wave.amplitude = amplitude;
+    wave.wavelength = wavelength;
+    wave.direction = direction;
+    return wave;
+}
+
+inline Wave noise(double amplitude, double wavelength) {
+    Wave wave;
+    wave.type = WaveType::Noise;
+    wave.amplitude = amplitude;
+    wave.wavelength = wavelength;
+    return wave;
+}
+
+} // namespace limpid::scenes

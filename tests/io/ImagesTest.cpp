@@ -1,0 +1,128 @@
+#include "io/Images.h"
+
+#include <cmath>
+#include <limits>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "io/Files.h"
+#include "io/TempFolder.h"
+
+namespace limpid::io {
+namespace {
+
+using test::errorOf;
+using test::TempFolder;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+std::size_t fileCount(const TempFolder& folder) {
+    std::size_t count = 0;
+    for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(folder.path()))
+        ++count;
+    return count;
+}
+
+TEST(ExrTest, ComesBackBitByBit) {
+    const TempFolder folder;
+    const auto file = folder.path() / "map.exr";
+    const std::vector<float> data = {0, -1.5f, 1e-30f, 1e30f, 0.1f, std::numeric_limits<float>::infinity(),
+                                     7, 8};
+    writeExr(file, 1, 2, {"R", "G", "B", "A"}, data);
+    const FloatImage image = readImage(file);
+    EXPECT_EQ(image.width, 1);
+    EXPECT_EQ(image.height, 2);
+    EXPECT_EQ(image.channels, 4);
+    EXPECT_THAT(image.channelNames, ElementsAre("R", "G", "B", "A"));
+    EXPECT_EQ(image.data, data);
+    EXPECT_EQ(fileCount(folder), 1u);
+}
+
+TEST(PngTest, ComesBackScaledToOneWithRowsFromTheTop) {
+    const TempFolder folder;
+    const auto file = folder.path() / "picture.png";
+    const std::vector<std::uint8_t> rgb = {0, 51, 255, 102, 1, 2};
+    writePng(file, 1, 2, rgb);
+    const FloatImage image = readImage(file);
+    EXPECT_EQ(image.channels, 3);
+    ASSERT_EQ(image.data.size(), rgb.size());
+    for (std::size_t i = 0; i < rgb.size(); ++i)
+        EXPECT_FLOAT_EQ(image.data[i], rgb[i] / 255.0f);
+}
+
+TEST(WriteTest, ReplacesWhatWasThere) {
+    const TempFolder folder;
+    const auto file = folder.write("picture.png", "something else");
+    writePng(file, 1, 1, std::vector<std::uint8_t>{1, 2, 3});
+    EXPECT_EQ(readImage(file).width, 1);
+    EXPECT_EQ(fileCount(folder), 1u);
+}
+
+TEST(WriteTest, LeavesNothingBehindWhenItFails) {
+    const TempFolder folder;
+    const std::vector<float> data(1);
+    std::filesystem::create_directory(folder.path() / "folder.exr");
+    EXPECT_EQ(errorOf(folder, [&] { writeExr(folder.path() / "folder.exr", 1, 1, {"R"}, data); }),
+              "folder.exr: cannot write: it is a folder");
+    EXPECT_THAT(errorOf(folder, [&] { writeExr(folder.path() / "no/map.exr", 1, 1, {"R"}, data); }),
+                StartsWith("no/map.exr: cannot write: "));
+    EXPECT_THAT(errorOf(folder, [&] { writeExr(folder.path() / "map.what", 1, 1, {"R"}, data); }),
+                StartsWith("map.what: cannot write: "));
+    EXPECT_EQ(errorOf(folder, [&] { writeText(folder.path() / "no/index.json", "{}"); }),
+              "no/index.json: cannot write: No such file or directory");
+    EXPECT_EQ(fileCount(folder), 1u);
+}
+
+TEST(WriteTest, AnOldFileSurvivesAFailure) {
+    const TempFolder folder;
+    const auto file = folder.write("out.txt", "old");
+    const auto fail = [&] {
+        writeWhole(file, [](const std::filesystem::path& partial) {
+            std::ofstream(partial) << "half";
+            throw std::runtime_error("disk\nfull");
+        });
+    };
+    EXPECT_EQ(errorOf(folder, fail), "out.txt: cannot write: disk full");
+    EXPECT_EQ(readBytes(file), (std::vector<std::uint8_t>{'o', 'l', 'd'}));
+    EXPECT_EQ(fileCount(folder), 1u);
+}
+
+TEST(WriteTest, ThePartialFileLiesBesideAndKeepsTheSuffix) {
+    const TempFolder folder;
+    writeWhole(folder.path() / "a.b.exr", [&](const std::filesystem::path& partial) {
+        EXPECT_EQ(partial.parent_path(), folder.path());
+        EXPECT_THAT(partial.filename().string(), testing::MatchesRegex("a\\.b\\.partial-[0-9]+\\.exr"));
+        std::ofstream(partial) << "x";
+    });
+    EXPECT_TRUE(std::filesystem::exists(folder.path() / "a.b.exr"));
+}
+
+TEST(TextTest, ComesBack) {
+    const TempFolder folder;
+    writeText(folder.path() / "t.json", "{\n}\n");
+    EXPECT_EQ(readBytes(folder.path() / "t.json"), (std::vector<std::uint8_t>{'{', '\n', '}', '\n'}));
+}
+
+TEST(ReadTest, BadFilesAreErrorsOfOneLine) {
+    const TempFolder folder;
+    const auto read = [&](const char* name) {
+        return errorOf(folder, [&] { readImage(folder.path() / name); });
+    };
+    folder.write("empty.exr", "");
+    folder.write("text.png", "this is\nno picture");
+    EXPECT_EQ(read("none.exr"), "none.exr: expected a file, found nothing of that name");
+    EXPECT_EQ(read("empty.exr"), "empty.exr: expected a file, found an empty file");
+    EXPECT_THAT(read("text.png"), StartsWith("text.png: cannot read: "));
+    EXPECT_THAT(read("text.png"), testing::Not(HasSubstr("\n")));
+}
+
+TEST(OneLineTest, JoinsAndCuts) {
+    EXPECT_EQ(oneLine(" a\n\n b\t"), "a b");
+    EXPECT_EQ(oneLine("abcdef", 3), "abc…");
+    EXPECT_EQ(oneLine("aéé", 2), "a…") << "no character is cut in two";
+}
+
+} // namespace
+} // namespace limpid::io
