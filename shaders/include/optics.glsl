@@ -22,26 +22,24 @@ float fresnelTransmittance(float cosIncident, float eta) {
 }
 
 // Where a ray between a point `above` metres over flat water and one `below` metres under it, `across` metres
-// apart horizontally, meets the surface: metres from the upper point's foot, [0, across]. `ior` is the water's.
-// Snell's law as f(x) = sin(incident) - ior sin(refracted) = 0, which rises in x; Newton's step, or bisection
-// where that leaves the bracket.
+// apart horizontally, meets the surface: metres from the upper point's foot, [0, across]. `ior` >= 1 is the water's.
+// With u the tangent of the incident angle, Snell's law makes the ray go
+//     across(u) = above u + below u / sqrt(n² + (n² - 1) u²),
+// which rises and is concave, so Newton's method closes in from the left without overshooting. Two bounds give a
+// start near the root: the curve lies below its tangent at 0, and the lower part never exceeds the critical angle.
+// (Newton on the place itself, guarded by bisection, was 0.3 off in the sine for a lamp near the water.)
 float flatCrossing(float above, float below, float across, float ior) {
-    float low = 0.0f;
-    float high = across;
-    float x = across * above / max(above + below, float(1e-20f));
-    for (int i = 0; i < 16; ++i) {
-        float upper = sqrt(x * x + above * above);
-        float lower = sqrt((across - x) * (across - x) + below * below);
-        if (upper <= 0.0f || lower <= 0.0f) return x;
-        float f = x / upper - ior * (across - x) / lower;
-        float slope = above * above / (upper * upper * upper) + ior * below * below / (lower * lower * lower);
-        if (f > 0.0f) high = x;
-        else low = x;
-        float next = x - f / max(slope, float(1e-20f));
-        if (!(next > low && next < high)) next = 0.5f * (low + high);
-        x = next;
+    float high = max(above, float(1e-9f));
+    float n2 = ior * ior;
+    float widest = below / sqrt(max(n2 - 1.0f, float(1e-12f)));
+    float u = max(across / (high + below / ior), (across - widest) / high);
+    for (int i = 0; i < 10; ++i) {
+        float w = n2 + (n2 - 1.0f) * u * u;
+        float root = sqrt(w);
+        float reached = high * u + below * u / root;
+        u += max(across - reached, float(0.0f)) / (high + below * n2 / (w * root));
     }
-    return x;
+    return clamp(high * u, float(0.0f), across);
 }
 
 // What is left of light after `metres` of water with extinction `perMetre` (absorption and scattering), thesis

@@ -55,7 +55,7 @@ TEST(FlatCrossing, bendsByItsLaw) {
             for (const double across : {0.0, 0.1, 3.0, 200.0}) {
                 const double x = optics::flatCrossing(above, below, across, ior);
                 const double up = x / std::hypot(x, above), down = (across - x) / std::hypot(across - x, below);
-                EXPECT_NEAR(up, ior * down, 2e-4) << above << ' ' << below << ' ' << across;
+                EXPECT_NEAR(up, ior * down, 1e-9) << above << ' ' << below << ' ' << across;
                 EXPECT_GE(x, 0);
                 EXPECT_LE(x, across);
             }

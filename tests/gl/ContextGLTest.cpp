@@ -57,6 +57,7 @@ TEST_F(ContextGLTest, aFailingShaderIsNamed) {
     } catch (const GraphicsError& error) {
         EXPECT_THAT(error.what(), HasSubstr("shaders/water/beams.comp: does not compile"));
     }
+    messages().clear();
 }
 
 TEST_F(ContextGLTest, timersNameTheirPasses) {

@@ -32,7 +32,7 @@ class GLTest : public ::testing::Test {
         for (const std::string& message : messages()) ADD_FAILURE() << message;
     }
 
-  private:
+    /// For a test that makes the driver complain on purpose: what it said so far.
     static std::vector<std::string>& messages() {
         static std::vector<std::string> all;
         return all;

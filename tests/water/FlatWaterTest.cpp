@@ -37,7 +37,7 @@ TEST(EntryPoint, meetsTheReceiversCentreUnlikeTheThesis) {
     const glm::dvec3 center(1, -1, 0);
     const glm::dvec3 straight(0, 0, 0);
     const glm::dvec3 t = refractedAt(light, water, straight);
-    EXPECT_GT(std::abs(straight.x + t.x / -t.y - center.x), 0.3);
+    EXPECT_GT(std::abs(straight.x + t.x / -t.y - center.x), 0.05);
     const glm::dvec3 entry = entryPoint(light, water, center);
     const glm::dvec3 right = refractedAt(light, water, entry);
     EXPECT_NEAR(entry.x + right.x / -right.y, center.x, 1e-6);
