@@ -8,7 +8,14 @@ layout(std140, binding = 2) uniform ViewFrame {
     vec4 skyRadiance;
     vec4 waterExtinction; // RGB, 1/m; w: an upper bound on m of water along a view ray to any receiver
     vec4 viewWater;       // level, m; index of refraction; scale of the underwater view (its margin)
+    vec4 deepRadiance;    // what endless water looks like
 };
+
+// Radiance that is left of `radiance` after `metres` of water, with what the water adds on the way.
+vec3 throughWater(vec3 radiance, float metres) {
+    vec3 left = extinction(waterExtinction.rgb, metres);
+    return radiance * left + deepRadiance.rgb * (1.0 - left);
+}
 
 bool cameraAbove() { return cameraPosition.w > 0.5; }
 

@@ -21,7 +21,8 @@ vec3 castIrradiance(vec3 faceNormal) {
     vec3 q = boxLocal(fragmentIn.position);
     vec2 at = q.xy / boxExtent.w - 0.5;
     vec2 base = floor(at), part = at - base;
-    float facing = max(abs(dot(faceNormal, boxT.xyz)), 0.02);
+    // A steep face spans more depth a texel; the bound keeps light from creeping around edges.
+    float facing = max(abs(dot(faceNormal, boxT.xyz)), 0.25);
     float slack = boxExtent.w * (2.0 + 2.0 * sqrt(1.0 - facing * facing) / facing);
     vec3 sum = vec3(0.0);
     float weights = 0.0, all = 0.0;
@@ -42,7 +43,8 @@ vec3 castIrradiance(vec3 faceNormal) {
 void main() {
     vec3 position = fragmentIn.position;
     if (underwater != 0 ? position.y > viewWater.x : position.y < viewWater.x) discard;
-    vec3 view = normalize(cameraPosition.xyz - position);
+    vec3 seenAt = underwater != 0 && cameraAbove() ? viewCrossing(position) : cameraPosition.xyz;
+    vec3 view = seenAt - position;
     vec3 face = fragmentIn.faceNormal;
     vec3 shading = length(fragmentIn.normal) > 0.0 ? normalize(fragmentIn.normal) : face;
     if (dot(shading, face) < 0.0) shading = -shading;
@@ -50,15 +52,15 @@ void main() {
     vec3 irradiance = vec3(0.0);
     if (withCaustics != 0) {
         float facing = -dot(face, boxT.xyz);
-        // Both sides of a sheet look alike from here, but the light falls on one of them.
-        bool lit = facing > 0.0 || dot(face, view) * facing > 0.0;
-        float smoothing = clamp(-dot(shading, boxT.xyz) / (abs(facing) > 0.05 ? facing : 0.05), 0.0, 2.0);
+        // The light falls on one side of a sheet only.
+        bool lit = dot(face, view) * facing > 0.0;
+        // Flux goes by the face, the look by the shading normal.
+        float smoothing = clamp(-dot(shading, boxT.xyz) / (sign(facing) * max(abs(facing), 0.05)), 0.0, 1.5);
         if (lit) irradiance = castIrradiance(face) * smoothing;
     }
     irradiance += directIrradiance * max(-dot(shading, directDirection), 0.0);
     vec3 albedo = baseColor().rgb;
     vec3 radiance = albedo / pi * irradiance + (withAmbient != 0 ? albedo * ambientRadiance.rgb : vec3(0.0));
-    vec3 seenAt = underwater != 0 && cameraAbove() ? viewCrossing(position) : cameraPosition.xyz;
     outRadiance = vec4(radiance, 1.0);
     outPosition = vec4(position, distance(position, seenAt));
 }

@@ -13,5 +13,5 @@ void main() {
     if (position.w > 1e29) discard;
     vec4 clip = viewProjection * vec4(position.xyz, 1.0);
     gl_FragDepth = clamp(0.5 + 0.5 * clip.z / clip.w, 0.0, 1.0);
-    outRadiance = vec4(texture(underwaterRadiance, uv).rgb * extinction(waterExtinction.rgb, position.w), 1.0);
+    outRadiance = vec4(throughWater(texture(underwaterRadiance, uv).rgb, position.w), 1.0);
 }

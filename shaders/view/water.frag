@@ -38,8 +38,10 @@ vec3 radianceBelow(vec3 from, vec3 direction) {
     }
     vec2 uv = clamp(underwaterUv(from + metres * direction), 0.0, 1.0);
     vec4 seen = texture(underwaterRadiance, uv);
-    vec3 radiance = seen.rgb + (1.0 - seen.a) * ambientRadiance.rgb;
-    return radiance * extinction(waterExtinction.rgb, metres);
+    // Alpha is the share of receivers in the texel, once for each light.
+    float covered = min(seen.a, 1.0);
+    vec3 receivers = throughWater(seen.rgb / max(covered, 1e-3), metres);
+    return mix(deepRadiance.rgb, receivers, covered);
 }
 
 void main() {
@@ -57,6 +59,6 @@ void main() {
     } else {
         float through = fresnelTransmittance(dot(view, up), ior);
         vec3 above = through * skyRadiance.rgb * ior * ior + (1.0 - through) * ambientRadiance.rgb;
-        outRadiance = vec4(above * extinction(waterExtinction.rgb, distance(position, cameraPosition.xyz)), 1.0);
+        outRadiance = vec4(throughWater(above, distance(position, cameraPosition.xyz)), 1.0);
     }
 }

@@ -39,20 +39,20 @@ io::BakedLight bakedLight(Engine& engine, int index, const std::vector<io::Baked
     for (const io::BakedMap& map : maps)
         if (map.light == name) flux.deposited += map.deposited;
     const int beams = engine.light(index).beams.triangleCount;
-    return {name,           beams,          beams,       flux.entering, flux.absorbed, flux.scattered,
-            flux.deposited, flux.missed, flux.rejected, flux.residual()};
+    return {name,           beams,          beams,       flux.entering, flux.absorbed,
+            flux.scattered, flux.deposited, flux.missed, flux.rejected, flux.residual()};
 }
 
 void printBake(const io::Bake& bake) {
     for (const io::BakedMap& map : bake.maps)
-        fmt::print("{} in {}: {} x {} texels, {} of {} planes, {:.6g} W\n", map.receiver, map.light, map.size.x,
-                   map.size.y, map.planesDrawn, map.planesRequested, map.deposited);
+        fmt::print("{} in {}: {} x {} texels, {} of {} planes, {:.6g} W\n", map.receiver, map.light,
+                   map.size.x, map.size.y, map.planesDrawn, map.planesRequested, map.deposited);
     for (const io::BakedLight& light : bake.lights)
-        fmt::print("{}: {:.6g} W enter; {:.6g} deposited, {:.6g} absorbed, {:.6g} scattered, {:.6g} missed, {:.6g} "
-                   "rejected; residual {:.3g} ({:.3f} %)\n",
-                   light.light, light.entering, light.deposited, light.absorbed, light.scattered, light.missed,
-                   light.rejected, light.residual,
-                   light.entering > 0 ? 100 * light.residual / light.entering : 0.0);
+        fmt::print(
+            "{}: {:.6g} W enter; {:.6g} deposited, {:.6g} absorbed, {:.6g} scattered, {:.6g} missed, {:.6g} "
+            "rejected; residual {:.3g} ({:.3f} %)\n",
+            light.light, light.entering, light.deposited, light.absorbed, light.scattered, light.missed,
+            light.rejected, light.residual, light.entering > 0 ? 100 * light.residual / light.entering : 0.0);
 }
 
 void bake(const BakeOptions& options) {
@@ -68,7 +68,8 @@ void bake(const BakeOptions& options) {
     result.method = methodName(engine.scene().caustics.method);
     result.time = options.time;
     result.origin = engine.origin();
-    for (const ReceiverMaps& maps : engine.maps()) result.maps.push_back(bakedMap(engine, maps));
+    for (const ReceiverMaps& maps : engine.maps())
+        result.maps.push_back(bakedMap(engine, maps));
     for (int light = 0; light < int(engine.scene().lights.size()); ++light)
         result.lights.push_back(bakedLight(engine, light, result.maps));
     io::writeBake(options.output, result);

@@ -16,8 +16,10 @@ void addCommonOptions(CLI::App& command, CommonOptions& options) {
     command.add_option("--set", options.settings, "KEY=VALUE: change any key of the scene (repeatable)")
         ->allow_extra_args(false)
         ->take_all();
-    command.add_flag("--no-skip", options.noSkip, "do all work that skipping would save; the result is the same");
-    command.add_option("--device", options.device, "EGL device, by number or part of its name (see limpid info)");
+    command.add_flag("--no-skip", options.noSkip,
+                     "do all work that skipping would save; the result is the same");
+    command.add_option("--device", options.device,
+                       "EGL device, by number or part of its name (see limpid info)");
     command.add_flag("--quiet", options.quiet, "print errors only");
     command.add_flag("--verbose", options.verbose, "print times, planes and memory");
 }
@@ -60,15 +62,16 @@ glm::ivec2 parseSize(const std::string& text) {
 
 void printWork(Engine& engine, gl::Context& context) {
     fmt::print("GPU: {}\n", context.info().renderer);
-    for (const auto& [pass, ms] : engine.timers().collect()) fmt::print("  {:<18} {:10.2f} ms\n", pass, ms);
+    for (const auto& [pass, ms] : engine.timers().collect())
+        fmt::print("  {:<18} {:10.2f} ms\n", pass, ms);
     for (const ReceiverMaps& maps : engine.maps())
         fmt::print("  {} in {}: {} of {} planes\n", engine.scene().receivers[std::size_t(maps.receiver)].name,
                    engine.scene().lights[std::size_t(maps.light)].name, maps.level.planes.size(),
                    maps.level.requestedPlanes);
     for (const auto& [kind, bytes] : context.ledger().byKind())
         fmt::print("  {:<18} {:10.2f} MiB\n", kind, double(bytes) / (1 << 20));
-    fmt::print("  {:<18} {:10.2f} MiB, at most {:.2f} MiB\n", "total", double(context.ledger().total()) / (1 << 20),
-               double(context.ledger().peak()) / (1 << 20));
+    fmt::print("  {:<18} {:10.2f} MiB, at most {:.2f} MiB\n", "total",
+               double(context.ledger().total()) / (1 << 20), double(context.ledger().peak()) / (1 << 20));
 }
 
 } // namespace limpid::apps

@@ -22,7 +22,8 @@ nlohmann::ordered_json infoJson(const gl::DeviceInfo& info) {
                                      {"subpixel_bits", info.subpixelBits}}}};
     json["devices"] = nlohmann::ordered_json::array();
     for (const gl::DeviceDescription& device : gl::Context::devices())
-        json["devices"].push_back({{"index", device.index}, {"name", device.name}, {"software", device.software}});
+        json["devices"].push_back(
+            {{"index", device.index}, {"name", device.name}, {"software", device.software}});
     return json;
 }
 
@@ -52,8 +53,10 @@ void addInfo(CLI::App& app) {
         gl::ContextOptions options;
         options.device = *device;
         const gl::Context context(options);
-        if (*json) fmt::print("{}\n", infoJson(context.info()).dump(2));
-        else printInfo(context.info());
+        if (*json)
+            fmt::print("{}\n", infoJson(context.info()).dump(2));
+        else
+            printInfo(context.info());
     });
 }
 

@@ -22,13 +22,14 @@ struct RenderOptions {
 void write(const std::filesystem::path& file, const Picture& picture, double exposure) {
     if (file.extension() == ".exr")
         io::writeExr(file, picture.size.x, picture.size.y, {"R", "G", "B"}, picture.rgb);
-    else io::writePng(file, picture.size.x, picture.size.y, toneMapped(picture, exposure));
+    else
+        io::writePng(file, picture.size.x, picture.size.y, toneMapped(picture, exposure));
 }
 
 void requirePictureName(const std::filesystem::path& file) {
     if (file.extension() != ".png" && file.extension() != ".exr")
-        throw InputError(fmt::format("{}: expected a name that ends in .png or .exr, found \"{}\"", file.string(),
-                                     file.extension().string()));
+        throw InputError(fmt::format("{}: expected a name that ends in .png or .exr, found \"{}\"",
+                                     file.string(), file.extension().string()));
     const auto folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
     if (!std::filesystem::is_directory(folder))
         throw InputError(fmt::format("{}: expected a folder to write to, found none named {}", file.string(),

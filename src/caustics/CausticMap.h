@@ -6,8 +6,8 @@
 
 namespace limpid {
 
-/// Irradiance on a receiver from one light. RGBA32F, W/m² on the receiver's own surface, mean over the texel; alpha
-/// has no meaning. Frame and rows are those of the receiver's level map.
+/// Irradiance on a receiver from one light. RGBA32F, W/m² on the receiver's own surface, mean over the texel;
+/// alpha has no meaning. Frame and rows are those of the receiver's level map.
 struct CausticMap {
     gl::Texture irradiance;
 

@@ -7,10 +7,11 @@ enum Uniform { PlaneDepth, PlaneNumber, Strength, ExtinctionPerMetre };
 }
 
 DrawnPlanes::DrawnPlanes(gl::Context& context)
-    : _context(context), _footprints(context), _program({"caustics/drawn_plane.vert", "caustics/drawn_plane.frag"}) {}
+    : _context(context), _footprints(context),
+      _program({"caustics/drawn_plane.vert", "caustics/drawn_plane.frag"}) {}
 
-void DrawnPlanes::fill(CausticMap& caustics, const LevelMap& map, const Beams& beams, const WaterMesh& surface,
-                       const Water& water) {
+void DrawnPlanes::fill(CausticMap& caustics, const LevelMap& map, const Beams& beams,
+                       const WaterMesh& surface, const Water& water) {
     caustics.resize(_context, map.frame.size);
     const gl::Texture* const targets[] = {&caustics.irradiance};
     const gl::Framebuffer framebuffer("caustic map", targets);

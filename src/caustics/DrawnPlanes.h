@@ -6,9 +6,9 @@
 
 namespace limpid {
 
-/// The thesis's method, as drawn there (figure 4-15): for each reference plane, the intersection triangles of all
-/// beams are rasterised with additive blending, and a texel takes those of its own plane. Sampling is at texel
-/// centres. Both `level-map` and `level-map-smart`: they differ in the planes that the level map lists.
+/// The thesis's method, as drawn there (figure 4-15): for each reference plane, the intersection triangles of
+/// all beams are rasterised with additive blending, and a texel takes those of its own plane. Sampling is at
+/// texel centres. Both `level-map` and `level-map-smart`: they differ in the planes that the level map lists.
 class DrawnPlanes {
   public:
     explicit DrawnPlanes(gl::Context& context);

@@ -10,9 +10,19 @@ constexpr int groupSize = 64;
 constexpr int raysPerBeam = 16;
 constexpr int beamsAtOnce = 65536; // bounds the landings to 16 MiB
 enum LandUniform { RayCount, LandFirstTriangle, LandRaysPerBeam, Farthest };
-enum PlaceUniform { BeamCount, PlaceFirstTriangle, PlaceRaysPerBeam, ReceiverNumber, Strength, Absorption, Scattering };
+enum PlaceUniform {
+    BeamCount,
+    PlaceFirstTriangle,
+    PlaceRaysPerBeam,
+    ReceiverNumber,
+    Strength,
+    Absorption,
+    Scattering
+};
 
-double meanOf(const glm::dvec3& rgb) { return (rgb.x + rgb.y + rgb.z) / 3; }
+double meanOf(const glm::dvec3& rgb) {
+    return (rgb.x + rgb.y + rgb.z) / 3;
+}
 
 } // namespace
 
@@ -29,7 +39,8 @@ void FluxAudit::place(int firstTriangle, int beamCount, int receiverNumber) {
 }
 
 FluxBalance FluxAudit::count(const Beams& beams, const WaterMesh& surface, const Water& water,
-                             const gl::Texture& sceneDepth, std::span<const LevelMap* const> maps, double farthest) {
+                             const gl::Texture& sceneDepth, std::span<const LevelMap* const> maps,
+                             double farthest) {
     FluxBalance balance;
     for (const float flux : beams.flux.read<float>(std::size_t(beams.triangleCount)))
         balance.entering += double(flux) * meanOf(beams.strength);
@@ -78,7 +89,8 @@ FluxBalance FluxAudit::count(const Beams& beams, const WaterMesh& surface, const
     return balance;
 }
 
-double depositedFlux(std::span<const float> irradiance, std::span<const float> normalDotAxis, double texelArea) {
+double depositedFlux(std::span<const float> irradiance, std::span<const float> normalDotAxis,
+                     double texelArea) {
     double sum = 0;
     for (std::size_t i = 0; i < normalDotAxis.size(); ++i) {
         if (normalDotAxis[i] <= 0) continue;

@@ -21,15 +21,16 @@ struct FluxBalance {
 };
 
 /// Follows a few rays of every beam to where they land. It shares the beams and the scene depth map with the
-/// methods, but no rasteriser, no plane and no texel sum, so that what those lose or double shows as residual.
+/// methods, but no rasteriser, no plane and no texel sum, so that what those lose or double shows as
+/// residual.
 class FluxAudit {
   public:
     explicit FluxAudit(gl::Context& context);
 
-    /// All but `deposited`. `sceneDepth` covers every receiver; `maps[i]` is that of receiver i for this light, null
-    /// if it has none. `farthest` as for SceneDepthPass. Waits for the GPU.
-    FluxBalance count(const Beams& beams, const WaterMesh& surface, const Water& water, const gl::Texture& sceneDepth,
-                      std::span<const LevelMap* const> maps, double farthest);
+    /// All but `deposited`. `sceneDepth` covers every receiver; `maps[i]` is that of receiver i for this
+    /// light, null if it has none. `farthest` as for SceneDepthPass. Waits for the GPU.
+    FluxBalance count(const Beams& beams, const WaterMesh& surface, const Water& water,
+                      const gl::Texture& sceneDepth, std::span<const LevelMap* const> maps, double farthest);
 
   private:
     void place(int firstTriangle, int beamCount, int receiverNumber);
@@ -37,8 +38,9 @@ class FluxAudit {
     gl::Program _land, _place;
 };
 
-/// Σ irradiance · surface area of the texel, W, mean of R, G and B. `irradiance`: RGB, `normalDotAxis`: |n·V| of
-/// each texel, 0 where there is no receiver.
-double depositedFlux(std::span<const float> irradiance, std::span<const float> normalDotAxis, double texelArea);
+/// Σ irradiance · surface area of the texel, W, mean of R, G and B. `irradiance`: RGB, `normalDotAxis`: |n·V|
+/// of each texel, 0 where there is no receiver.
+double depositedFlux(std::span<const float> irradiance, std::span<const float> normalDotAxis,
+                     double texelArea);
 
 } // namespace limpid

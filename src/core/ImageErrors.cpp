@@ -24,7 +24,8 @@ double luvDifference(std::span<const float> a, std::span<const float> b, std::sp
     std::size_t pixels = 0;
     for (std::size_t i = 0; 3 * i + 2 < a.size(); ++i) {
         if (!mask.empty() && !(mask[i] > 0)) continue;
-        const glm::dvec3 first(a[3 * i], a[3 * i + 1], a[3 * i + 2]), second(b[3 * i], b[3 * i + 1], b[3 * i + 2]);
+        const glm::dvec3 first(a[3 * i], a[3 * i + 1], a[3 * i + 2]),
+            second(b[3 * i], b[3 * i + 1], b[3 * i + 2]);
         sum += glm::distance(luvFromLinear(first), luvFromLinear(second));
         ++pixels;
     }

@@ -7,7 +7,9 @@ namespace limpid {
 
 namespace {
 
-double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
+double cross(const glm::dvec2& a, const glm::dvec2& b) {
+    return a.x * b.y - a.y * b.x;
+}
 
 struct Rectangle {
     glm::dvec2 axis{1, 0}; ///< unit; the other one is it turned by 90°
@@ -42,7 +44,9 @@ Rectangle smallest(const std::vector<glm::dvec2>& hull) {
 } // namespace
 
 std::vector<glm::dvec2> convexHull(std::vector<glm::dvec2> points) {
-    const auto less = [](const glm::dvec2& a, const glm::dvec2& b) { return a.x < b.x || (a.x == b.x && a.y < b.y); };
+    const auto less = [](const glm::dvec2& a, const glm::dvec2& b) {
+        return a.x < b.x || (a.x == b.x && a.y < b.y);
+    };
     std::sort(points.begin(), points.end(), less);
     points.erase(std::unique(points.begin(), points.end()), points.end());
     if (points.size() < 3) return points;
@@ -115,7 +119,8 @@ glm::dmat4 TexelFrame::worldToTexture() const {
     glm::dmat4 m(1);
     const glm::dvec3 axes[] = {b.u / b.extent.x, b.w / b.extent.y, b.t / b.extent.z};
     for (int row = 0; row < 3; ++row) {
-        for (int column = 0; column < 3; ++column) m[column][row] = axes[row][column];
+        for (int column = 0; column < 3; ++column)
+            m[column][row] = axes[row][column];
         m[3][row] = -glm::dot(axes[row], b.corner);
     }
     return m;

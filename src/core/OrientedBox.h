@@ -22,10 +22,10 @@ struct OrientedBox {
     glm::dvec3 center() const { return point(0.5 * extent); }
 };
 
-/// The box around `points` with its depth along `direction` (unit) and the smallest footprint that any turn about
-/// it gives (rotating calipers on the convex hull). Of the four turns with the same footprint, the one whose `u`
-/// is nearest to +x. Thesis 4.2.1 with minimum and maximum in place of eq. 4-2, and the free choice of U and W
-/// (eq. 4-1) put to use. `points` must not be empty.
+/// The box around `points` with its depth along `direction` (unit) and the smallest footprint that any turn
+/// about it gives (rotating calipers on the convex hull). Of the four turns with the same footprint, the one
+/// whose `u` is nearest to +x. Thesis 4.2.1 with minimum and maximum in place of eq. 4-2, and the free choice
+/// of U and W (eq. 4-1) put to use. `points` must not be empty.
 OrientedBox tightBox(std::span<const glm::dvec3> points, const glm::dvec3& direction);
 
 /// Convex hull, counter-clockwise, without collinear points; fewer than three for degenerate input.
@@ -33,10 +33,10 @@ std::vector<glm::dvec2> convexHull(std::vector<glm::dvec2> points);
 
 /// A box cut into square texels: the frame of a receiver's maps. Row 0 is the top, u goes right, w goes down.
 struct TexelFrame {
-    OrientedBox box;       ///< footprint grown to whole texels
-    glm::ivec2 size{0};    ///< texels
-    double texel = 0;      ///< m, the side of one
-    bool flat = false;     ///< the receiver had no height along the light: one plane holds all of it
+    OrientedBox box;    ///< footprint grown to whole texels
+    glm::ivec2 size{0}; ///< texels
+    double texel = 0;   ///< m, the side of one
+    bool flat = false;  ///< the receiver had no height along the light: one plane holds all of it
 
     double texelArea() const { return texel * texel; }
     /// Column-major, from points of the world to [0,1]³.

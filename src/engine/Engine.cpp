@@ -12,8 +12,8 @@ namespace {
 
 using Scope = gl::PassTimers::Scope;
 
-/// Float positions keep micrometres within a few hundred sizes of the scene from zero; beyond, they are counted
-/// from its middle.
+/// Float positions keep micrometres within a few hundred sizes of the scene from zero; beyond, they are
+/// counted from its middle.
 glm::dvec3 chooseOrigin(const Bounds& bounds) {
     if (bounds.empty()) return glm::dvec3(0);
     const double size = std::max(glm::length(bounds.size()), 1e-9);
@@ -22,7 +22,8 @@ glm::dvec3 chooseOrigin(const Bounds& bounds) {
 
 double farthestWater(const Light& light, const Water& water, const std::vector<glm::dvec3>& points) {
     double farthest = 1e-6;
-    for (const glm::dvec3& p : points) farthest = std::max(farthest, glm::distance(p, entryPoint(light, water, p)));
+    for (const glm::dvec3& p : points)
+        farthest = std::max(farthest, glm::distance(p, entryPoint(light, water, p)));
     return 1.02 * farthest;
 }
 
@@ -36,8 +37,8 @@ glm::ivec2 sceneDepthSize(const glm::vec4& rect, int mapSize) {
 } // namespace
 
 Engine::Engine(gl::Context& context)
-    : _context(context), _surface(context), _beamTracer(context), _sceneDepthPass(context), _levelMapPass(context),
-      _smartSlicing(context), _drawnPlanes(context), _fluxAudit(context) {}
+    : _context(context), _surface(context), _beamTracer(context), _sceneDepthPass(context),
+      _levelMapPass(context), _smartSlicing(context), _drawnPlanes(context), _fluxAudit(context) {}
 
 void Engine::setScene(Scene scene) {
     _scene = std::move(scene);
@@ -67,12 +68,15 @@ void Engine::updateCaustics(double time) {
         Scope scope(_timers, "water");
         _surface.update(_scene.water, _patch, _origin, time);
     }
-    for (int light = 0; light < int(_lights.size()); ++light) updateLight(light);
-    for (ReceiverMaps& maps : _maps) updateReceiver(maps);
+    for (int light = 0; light < int(_lights.size()); ++light)
+        updateLight(light);
+    for (ReceiverMaps& maps : _maps)
+        updateReceiver(maps);
 }
 
 bool Engine::needsSceneDepth(const Light& light) const {
-    // A receiver alone shades itself within its own map, unless a lamp sees it from other sides than the box does.
+    // A receiver alone shades itself within its own map, unless a lamp sees it from other sides than the box
+    // does.
     return entersWater(light, _scene.water) && (_receivers.size() > 1 || light.type == LightType::Point);
 }
 
@@ -82,7 +86,8 @@ void Engine::updateLight(int index) {
     LightFrameData frame = lightFrame(light, _scene.water, _origin);
     if (entersWater(light, _scene.water)) {
         std::vector<glm::dvec3> points;
-        for (const auto& own : _submerged) points.insert(points.end(), own.begin(), own.end());
+        for (const auto& own : _submerged)
+            points.insert(points.end(), own.begin(), own.end());
         frame.sceneDepthRect = sceneDepthRect(light, _scene.water, points, _origin);
         state.farthest = farthestWater(light, _scene.water, points);
     }
@@ -97,8 +102,8 @@ void Engine::updateLight(int index) {
 void Engine::drawSceneDepth(int index) {
     LightState& state = _lights[std::size_t(index)];
     Scope scope(_timers, "scene depth map");
-    _sceneDepthPass.draw(state.sceneDepth, sceneDepthSize(state.beams.rect, _scene.caustics.mapSize), state.beams,
-                         _receivers, state.farthest);
+    _sceneDepthPass.draw(state.sceneDepth, sceneDepthSize(state.beams.rect, _scene.caustics.mapSize),
+                         state.beams, _receivers, state.farthest);
 }
 
 void Engine::updateReceiver(ReceiverMaps& maps) {
@@ -109,7 +114,8 @@ void Engine::updateReceiver(ReceiverMaps& maps) {
     {
         Scope scope(_timers, "level map");
         Bounds bounds;
-        for (const glm::dvec3& p : points) bounds.add(p);
+        for (const glm::dvec3& p : points)
+            bounds.add(p);
         const OrientedBox box = tightBox(points, meanDirection(light, _scene.water, bounds.center()));
         const LevelMapPass::Inputs inputs{_receivers[std::size_t(maps.receiver)], maps.receiver, state.beams,
                                           state.sceneDepth.id() ? &state.sceneDepth : nullptr};
@@ -132,7 +138,8 @@ FluxBalance Engine::auditFlux(int index) {
     for (const ReceiverMaps& maps : _maps)
         if (maps.light == index) levels[std::size_t(maps.receiver)] = &maps.level;
     Scope scope(_timers, "flux audit");
-    return _fluxAudit.count(state.beams, _surface.mesh(), _scene.water, state.sceneDepth, levels, state.farthest);
+    return _fluxAudit.count(state.beams, _surface.mesh(), _scene.water, state.sceneDepth, levels,
+                            state.farthest);
 }
 
 Picture Engine::render(double time, glm::ivec2 size) {

@@ -59,7 +59,8 @@ class Engine {
     /// updateCaustics, then the scene as its camera sees it.
     Picture render(double time, glm::ivec2 size);
 
-    /// Off: all work is done that skipping would save (here: planes that no texel belongs to). The result is the same.
+    /// Off: all work is done that skipping would save (here: planes that no texel belongs to). The result is
+    /// the same.
     void setSkipping(bool on) { _skipping = on; }
 
     gl::PassTimers& timers() { return _timers; }

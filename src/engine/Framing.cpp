@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/Optics.h"
+
 namespace limpid {
 
 namespace {
@@ -15,7 +17,8 @@ double extentOf(const Bounds& bounds) {
 /// What the picture is about: everything but receivers three times larger than the smallest.
 Bounds subject(const Scene& scene) {
     double smallest = 1e300;
-    for (const Receiver& r : scene.receivers) smallest = std::min(smallest, extentOf(worldBounds(r)));
+    for (const Receiver& r : scene.receivers)
+        smallest = std::min(smallest, extentOf(worldBounds(r)));
     Bounds bounds;
     for (const Receiver& r : scene.receivers) {
         const Bounds own = worldBounds(r);
@@ -24,24 +27,40 @@ Bounds subject(const Scene& scene) {
     return bounds;
 }
 
+/// Where to look for `point` to be in the middle of the picture: under water it seems to be higher than it
+/// is.
+glm::dvec3 seenAt(const glm::dvec3& camera, const glm::dvec3& point, const Water& water) {
+    if (camera.y <= water.level || point.y >= water.level) return point;
+    const glm::dvec2 away = glm::dvec2(point.x, point.z) - glm::dvec2(camera.x, camera.z);
+    const double across = glm::length(away);
+    if (across <= 0) return point;
+    const double x = optics::flatCrossing(camera.y - water.level, water.level - point.y, across, water.ior);
+    const glm::dvec2 at = glm::dvec2(camera.x, camera.z) + away * (x / across);
+    return {at.x, water.level, at.y};
+}
+
 } // namespace
 
 void frameCamera(Scene& scene) {
     Camera& camera = scene.camera;
     if (camera.position && camera.target) return;
     const Bounds bounds = subject(scene);
+    const double level = scene.water.level;
     if (bounds.empty()) {
-        camera.position = camera.position.value_or(glm::dvec3(0, scene.water.level + 1, 2));
-        camera.target = camera.target.value_or(glm::dvec3(0, scene.water.level, 0));
+        camera.position = camera.position.value_or(glm::dvec3(0, level + 1, 2));
+        camera.target = camera.target.value_or(glm::dvec3(0, level, 0));
         return;
     }
     const double size = std::max(glm::length(bounds.size()), 1e-6);
-    camera.target = camera.target.value_or(bounds.center());
-    if (camera.position) return;
-    const double distance = 0.72 * size / std::tan(0.5 * glm::radians(camera.verticalFov));
-    glm::dvec3 position = *camera.target + distance * glm::normalize(glm::dvec3(0.25, 0.95, 0.8));
-    position.y = std::max(position.y, scene.water.level + 0.35 * size);
-    camera.position = position;
+    const glm::dvec3 center = bounds.center();
+    if (!camera.position) {
+        const double distance = 0.7 * size / std::tan(0.5 * glm::radians(camera.verticalFov));
+        glm::dvec3 position =
+            camera.target.value_or(center) + distance * glm::normalize(glm::dvec3(0.3, 1.1, 0.75));
+        position.y = std::max(position.y, level + 0.35 * size);
+        camera.position = position;
+    }
+    if (!camera.target) camera.target = seenAt(*camera.position, center, scene.water);
 }
 
 } // namespace limpid

@@ -13,11 +13,16 @@ MapData readMaps(const ReceiverMaps& maps, const glm::dvec3& origin) {
     const auto normal = maps.level.normal.readFloats(GL_RG, 2);
     const auto irradiance = maps.caustics.irradiance.readFloats(GL_RGBA, 4);
     const std::size_t texels = std::size_t(frame.size.x) * std::size_t(frame.size.y);
-    MapData data{frame.size, std::vector<float>(3 * texels), std::vector<float>(4 * texels),
-                 std::vector<float>(3 * texels), std::vector<float>(texels), 0};
+    MapData data{frame.size,
+                 std::vector<float>(3 * texels),
+                 std::vector<float>(4 * texels),
+                 std::vector<float>(3 * texels),
+                 std::vector<float>(texels),
+                 0};
     for (std::size_t i = 0; i < texels; ++i) {
         if (position[2 * i + 1] == -1.0f) continue;
-        const glm::dvec2 texel(double(i % std::size_t(frame.size.x)) + 0.5, double(i / std::size_t(frame.size.x)) + 0.5);
+        const glm::dvec2 texel(double(i % std::size_t(frame.size.x)) + 0.5,
+                               double(i / std::size_t(frame.size.x)) + 0.5);
         const glm::dvec3 p = frame.box.point({texel * frame.texel, double(position[2 * i])}) - origin;
         const glm::vec3 n = shader::octahedralDecode({normal[2 * i], normal[2 * i + 1]});
         const double facing = std::abs(glm::dot(glm::dvec3(n), frame.box.t));
@@ -27,7 +32,8 @@ MapData readMaps(const ReceiverMaps& maps, const glm::dvec3& origin) {
             data.normal[3 * i + std::size_t(c)] = n[c];
         }
         data.position[4 * i + 3] = 1;
-        // The octahedral grid is 4e-5 wide: a face that stands closer to the light than that has no area of its own.
+        // The octahedral grid is 4e-5 wide: a face that stands closer to the light than that has no area of
+        // its own.
         data.normalDotAxis[i] = float(std::max(facing, 4e-5));
     }
     data.deposited = depositedFlux(data.irradiance, data.normalDotAxis, frame.texelArea());

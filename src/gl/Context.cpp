@@ -44,7 +44,8 @@ DeviceDescription describe(EGLDeviceEXT device, int index) {
     DeviceDescription description{index, "device", deviceHas(device, "EGL_MESA_device_software")};
     if (description.software) description.name = "software";
     if (deviceHas(device, "EGL_EXT_device_drm"))
-        if (const char* file = eglQueryDeviceStringEXT(device, EGL_DRM_DEVICE_FILE_EXT)) description.name = file;
+        if (const char* file = eglQueryDeviceStringEXT(device, EGL_DRM_DEVICE_FILE_EXT))
+            description.name = file;
     return description;
 }
 
@@ -57,7 +58,8 @@ std::string listOf(const std::vector<DeviceDescription>& devices) {
 
 bool matches(const DeviceDescription& device, const std::string& wanted) {
     if (wanted.empty()) return true;
-    if (wanted.find_first_not_of("0123456789") == std::string::npos) return std::to_string(device.index) == wanted;
+    if (wanted.find_first_not_of("0123456789") == std::string::npos)
+        return std::to_string(device.index) == wanted;
     return device.name.find(wanted) != std::string::npos;
 }
 
@@ -76,10 +78,17 @@ EGLContext createContext(EGLDisplay display, bool debug) {
     const EGLint configAttributes[] = {EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_SURFACE_TYPE, 0, EGL_NONE};
     EGLConfig config = nullptr;
     EGLint count = 0;
-    if (!eglChooseConfig(display, configAttributes, &config, 1, &count) || count == 0) config = EGL_NO_CONFIG_KHR;
-    const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION, 4, EGL_CONTEXT_MINOR_VERSION, 5,
-                                 EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                                 EGL_CONTEXT_OPENGL_DEBUG, debug ? EGL_TRUE : EGL_FALSE, EGL_NONE};
+    if (!eglChooseConfig(display, configAttributes, &config, 1, &count) || count == 0)
+        config = EGL_NO_CONFIG_KHR;
+    const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
+                                 4,
+                                 EGL_CONTEXT_MINOR_VERSION,
+                                 5,
+                                 EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                 EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                 EGL_CONTEXT_OPENGL_DEBUG,
+                                 debug ? EGL_TRUE : EGL_FALSE,
+                                 EGL_NONE};
     return eglCreateContext(display, config, EGL_NO_CONTEXT, attributes);
 }
 
@@ -97,14 +106,16 @@ bool open(EGLDisplay display, bool debug, EGLDisplay& openedDisplay, EGLContext&
     return false;
 }
 
-void GLAPIENTRY onDebugMessage(GLenum, GLenum type, GLuint, GLenum severity, GLsizei length, const GLchar* text,
-                               const void* user) {
+void GLAPIENTRY onDebugMessage(GLenum, GLenum type, GLuint, GLenum severity, GLsizei length,
+                               const GLchar* text, const void* user) {
     if (severity != GL_DEBUG_SEVERITY_HIGH && severity != GL_DEBUG_SEVERITY_MEDIUM) return;
     if (type == GL_DEBUG_TYPE_PERFORMANCE) return;
     const auto& sink = *static_cast<const std::function<void(const std::string&)>*>(user);
     const std::string message(text, static_cast<std::size_t>(length));
-    if (sink) sink(message);
-    else fmt::print(stderr, "OpenGL: {}\n", message);
+    if (sink)
+        sink(message);
+    else
+        fmt::print(stderr, "OpenGL: {}\n", message);
 }
 
 std::string glString(GLenum name) {
@@ -134,17 +145,19 @@ DeviceInfo queryInfo(EGLDisplay display, const std::string& platform) {
 
 std::vector<DeviceDescription> Context::devices() {
     std::vector<DeviceDescription> described;
-    for (const EGLDeviceEXT device : queryDevices()) described.push_back(describe(device, int(described.size())));
+    for (const EGLDeviceEXT device : queryDevices())
+        described.push_back(describe(device, int(described.size())));
     return described;
 }
 
-Context::Context(const ContextOptions& options) : _egl(std::make_unique<Egl>()), _onMessage(options.onMessage) {
+Context::Context(const ContextOptions& options)
+    : _egl(std::make_unique<Egl>()), _onMessage(options.onMessage) {
     const auto devices = queryDevices();
     const auto described = Context::devices();
     const auto order = candidates(described, options.device);
     if (!options.device.empty() && order.empty())
-        throw GraphicsError(fmt::format("EGL: expected a device named or numbered \"{}\", found {}", options.device,
-                                        listOf(described)));
+        throw GraphicsError(fmt::format("EGL: expected a device named or numbered \"{}\", found {}",
+                                        options.device, listOf(described)));
     for (const int index : order) {
         const EGLDisplay display =
             eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, devices[std::size_t(index)], nullptr);

@@ -10,8 +10,9 @@ namespace limpid::gl {
 
 /// What the program asks of the graphics system before it exists.
 struct ContextOptions {
-    std::string device;        ///< EGL device by number or part of its name; empty: the first with hardware, else any
-    bool debug = false;        ///< debug context whose messages go to `onMessage`
+    std::string
+        device; ///< EGL device by number or part of its name; empty: the first with hardware, else any
+    bool debug = false; ///< debug context whose messages go to `onMessage`
     /// Receives each message of high or medium severity. Without it, errors go to stderr.
     std::function<void(const std::string&)> onMessage;
 };
@@ -19,7 +20,7 @@ struct ContextOptions {
 /// One EGL device that could be chosen.
 struct DeviceDescription {
     int index = 0;
-    std::string name;      ///< DRM file, or "software"
+    std::string name; ///< DRM file, or "software"
     bool software = false;
 };
 

@@ -12,26 +12,34 @@ namespace {
 
 int bytesPerTexel(GLenum format) {
     switch (format) {
-    case GL_R8: return 1;
+    case GL_R8:
+        return 1;
     case GL_RGBA8:
     case GL_SRGB8_ALPHA8:
     case GL_RG16:
     case GL_R32F:
     case GL_R32UI:
-    case GL_DEPTH_COMPONENT32F: return 4;
+    case GL_DEPTH_COMPONENT32F:
+        return 4;
     case GL_RG32F:
-    case GL_RGBA16F: return 8;
-    case GL_RGBA32F: return 16;
-    default: throw GraphicsError(fmt::format("texture format: expected one the ledger knows, found {:#x}", format));
+    case GL_RGBA16F:
+        return 8;
+    case GL_RGBA32F:
+        return 16;
+    default:
+        throw GraphicsError(
+            fmt::format("texture format: expected one the ledger knows, found {:#x}", format));
     }
 }
 
-/// A driver reports out-of-memory as an error after the call; nothing else of the program's own calls can fail.
+/// A driver reports out-of-memory as an error after the call; nothing else of the program's own calls can
+/// fail.
 void checkAllocation(const std::string& kind, std::int64_t bytes) {
     const GLenum error = glGetError();
     if (error == GL_NO_ERROR) return;
-    throw GraphicsError(fmt::format("{}: expected {} bytes of GPU memory, found {}", kind, bytes,
-                                    error == GL_OUT_OF_MEMORY ? "out of memory" : fmt::format("GL error {:#x}", error)));
+    throw GraphicsError(
+        fmt::format("{}: expected {} bytes of GPU memory, found {}", kind, bytes,
+                    error == GL_OUT_OF_MEMORY ? "out of memory" : fmt::format("GL error {:#x}", error)));
 }
 
 } // namespace
@@ -137,7 +145,8 @@ Framebuffer::Framebuffer(std::string label, std::span<const Texture* const> colo
     glNamedFramebufferDrawBuffers(_id, GLsizei(attachments.size()), attachments.data());
     const GLenum status = glCheckNamedFramebufferStatus(_id, GL_DRAW_FRAMEBUFFER);
     if (status != GL_FRAMEBUFFER_COMPLETE)
-        throw GraphicsError(fmt::format("{}: expected a complete framebuffer, found status {:#x}", label, status));
+        throw GraphicsError(
+            fmt::format("{}: expected a complete framebuffer, found status {:#x}", label, status));
 }
 
 void Framebuffer::bind() const {
@@ -149,7 +158,9 @@ void Framebuffer::clearColor(int attachment, const glm::vec4& value) const {
     glClearNamedFramebufferfv(_id, GL_COLOR, attachment, &value.x);
 }
 
-void Framebuffer::clearDepth(float value) const { glClearNamedFramebufferfv(_id, GL_DEPTH, 0, &value); }
+void Framebuffer::clearDepth(float value) const {
+    glClearNamedFramebufferfv(_id, GL_DEPTH, 0, &value);
+}
 
 void VertexArray::attribute(GLuint index, const Buffer& buffer, int components, int offset, int stride) {
     glEnableVertexArrayAttrib(_id, index);

@@ -10,7 +10,8 @@
 #include "gl/Api.h"
 #include "gl/Ledger.h"
 
-/// Owners of OpenGL objects: move-only, empty after a move, labelled with their kind, their bytes in the ledger.
+/// Owners of OpenGL objects: move-only, empty after a move, labelled with their kind, their bytes in the
+/// ledger.
 namespace limpid::gl {
 
 /// Immutable-size storage on the GPU.
@@ -38,7 +39,8 @@ class Buffer {
     void bindUniform(GLuint binding) const { glBindBufferBase(GL_UNIFORM_BUFFER, binding, _id); }
 
     /// Waits for the GPU and copies `count` elements from the start.
-    template <typename T> std::vector<T> read(std::size_t count) const {
+    template <typename T>
+    std::vector<T> read(std::size_t count) const {
         std::vector<T> out(count);
         readBytes(out.data(), std::int64_t(count * sizeof(T)));
         return out;
@@ -76,7 +78,8 @@ class Texture {
     }
     void upload(GLenum format, GLenum type, const void* data);
     void setFilter(GLenum filter, GLenum wrap);
-    /// Waits for the GPU and returns width · height · channels floats, row 0 first; `format` says the channels.
+    /// Waits for the GPU and returns width · height · channels floats, row 0 first; `format` says the
+    /// channels.
     std::vector<float> readFloats(GLenum format, int channels) const;
 
   private:

@@ -16,8 +16,9 @@ namespace {
 
 GLenum stageOf(std::string_view file) {
     constexpr std::pair<std::string_view, GLenum> stages[] = {
-        {".vert", GL_VERTEX_SHADER},   {".tesc", GL_TESS_CONTROL_SHADER}, {".tese", GL_TESS_EVALUATION_SHADER},
-        {".geom", GL_GEOMETRY_SHADER}, {".frag", GL_FRAGMENT_SHADER},     {".comp", GL_COMPUTE_SHADER}};
+        {".vert", GL_VERTEX_SHADER},          {".tesc", GL_TESS_CONTROL_SHADER},
+        {".tese", GL_TESS_EVALUATION_SHADER}, {".geom", GL_GEOMETRY_SHADER},
+        {".frag", GL_FRAGMENT_SHADER},        {".comp", GL_COMPUTE_SHADER}};
     for (const auto& [suffix, stage] : stages)
         if (file.ends_with(suffix)) return stage;
     throw GraphicsError(fmt::format("{}: expected a suffix that names a shader stage", file));
@@ -25,7 +26,8 @@ GLenum stageOf(std::string_view file) {
 
 /// Driver logs end in newlines and can be long; the first complaint is the one that matters.
 std::string firstLines(std::string log) {
-    while (!log.empty() && (log.back() == '\n' || log.back() == '\0')) log.pop_back();
+    while (!log.empty() && (log.back() == '\n' || log.back() == '\0'))
+        log.pop_back();
     return log.substr(0, 1000);
 }
 
@@ -42,7 +44,8 @@ GLuint compile(const char* file, std::span<const std::string> defines) {
     std::string log(std::size_t(std::max(length, 1)), '\0');
     glGetShaderInfoLog(shader, length, nullptr, log.data());
     glDeleteShader(shader);
-    throw GraphicsError(fmt::format("shaders/{}: does not compile: {}", file, source.locate(firstLines(log))));
+    throw GraphicsError(
+        fmt::format("shaders/{}: does not compile: {}", file, source.locate(firstLines(log))));
 }
 
 } // namespace
@@ -58,7 +61,8 @@ Program::Program(std::initializer_list<const char*> files, std::span<const std::
     }
     glObjectLabel(GL_PROGRAM, _id, -1, label.c_str());
     glLinkProgram(_id);
-    for (const GLuint shader : shaders) glDeleteShader(shader);
+    for (const GLuint shader : shaders)
+        glDeleteShader(shader);
     GLint ok = 0, length = 0;
     glGetProgramiv(_id, GL_LINK_STATUS, &ok);
     if (ok) return;

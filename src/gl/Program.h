@@ -37,7 +37,8 @@ class Program {
         glProgramUniformMatrix4fv(_id, location, 1, GL_FALSE, &value[0].x);
     }
 
-    /// Runs a compute program over at least `items` invocations in groups of `groupSize` (as the shader has it).
+    /// Runs a compute program over at least `items` invocations in groups of `groupSize` (as the shader has
+    /// it).
     void dispatch(std::int64_t items, int groupSize) const;
     void dispatch2D(glm::ivec2 items, glm::ivec2 groupSize) const;
 

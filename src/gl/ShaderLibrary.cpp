@@ -16,7 +16,8 @@ namespace {
 std::string_view embeddedText(std::string_view name) {
     for (const EmbeddedShader& shader : embeddedShaders())
         if (shader.name == name) return shader.text;
-    throw GraphicsError(fmt::format("{}: expected a shader carried by the library, found none of that name", name));
+    throw GraphicsError(
+        fmt::format("{}: expected a shader carried by the library, found none of that name", name));
 }
 
 void append(ResolvedShader& shader, std::string_view line, std::string origin) {
@@ -30,8 +31,10 @@ void appendFile(ResolvedShader& shader, std::string_view name, std::set<std::str
     int number = 0;
     for (std::string line; std::getline(text, line);) {
         ++number;
-        if (line.starts_with("#include \"")) appendFile(shader, line.substr(10, line.rfind('"') - 10), done);
-        else append(shader, line, fmt::format("shaders/{}:{}", name, number));
+        if (line.starts_with("#include \""))
+            appendFile(shader, line.substr(10, line.rfind('"') - 10), done);
+        else
+            append(shader, line, fmt::format("shaders/{}:{}", name, number));
     }
 }
 
@@ -41,7 +44,8 @@ ResolvedShader resolveShader(std::string_view name, std::span<const std::string>
     ResolvedShader shader;
     append(shader, "#version 450 core", "version");
     append(shader, "#define GLSL 1", "define");
-    for (const std::string& define : defines) append(shader, "#define " + define, "define");
+    for (const std::string& define : defines)
+        append(shader, "#define " + define, "define");
     std::set<std::string, std::less<>> done;
     appendFile(shader, name, done);
     return shader;

@@ -24,8 +24,8 @@ struct ResolvedShader {
     std::string locate(std::string_view compilerLog) const;
 };
 
-/// `#version 450 core`, the defines ("NAME value" each), then the file with every `#include "path"` replaced by
-/// that file, once each. Mesa's own include support needs an extension that others lack, hence done here.
+/// `#version 450 core`, the defines ("NAME value" each), then the file with every `#include "path"` replaced
+/// by that file, once each. Mesa's own include support needs an extension that others lack, hence done here.
 /// Throws GraphicsError for a file that does not exist.
 ResolvedShader resolveShader(std::string_view name, std::span<const std::string> defines = {});
 

@@ -5,7 +5,8 @@
 namespace limpid::gl {
 
 PassTimers::~PassTimers() {
-    for (const Stamps& stamps : _pending) _free.insert(_free.end(), {stamps.begin, stamps.end});
+    for (const Stamps& stamps : _pending)
+        _free.insert(_free.end(), {stamps.begin, stamps.end});
     if (!_free.empty()) glDeleteQueries(GLsizei(_free.size()), _free.data());
 }
 
@@ -39,7 +40,8 @@ std::vector<std::pair<std::string, double>> PassTimers::collect() {
         GLuint64 begin = 0, end = 0;
         glGetQueryObjectui64v(stamps.begin, GL_QUERY_RESULT, &begin);
         glGetQueryObjectui64v(stamps.end, GL_QUERY_RESULT, &end);
-        auto entry = std::find_if(times.begin(), times.end(), [&](const auto& t) { return t.first == stamps.pass; });
+        auto entry =
+            std::find_if(times.begin(), times.end(), [&](const auto& t) { return t.first == stamps.pass; });
         if (entry == times.end()) entry = times.emplace(times.end(), stamps.pass, 0.0);
         entry->second += end > begin ? double(end - begin) * 1e-6 : 0.0;
         _free.insert(_free.end(), {stamps.begin, stamps.end});

@@ -7,8 +7,8 @@
 
 namespace limpid::gl {
 
-/// GPU time by pass, in the order in which passes first ran. Two time stamps a scope: llvmpipe's elapsed-time query
-/// reports the time since boot for a scope that begins before anything was drawn.
+/// GPU time by pass, in the order in which passes first ran. Two time stamps a scope: llvmpipe's elapsed-time
+/// query reports the time since boot for a scope that begins before anything was drawn.
 class PassTimers {
   public:
     PassTimers() = default;

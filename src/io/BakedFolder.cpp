@@ -34,7 +34,8 @@ std::string fileName(const BakedMap& map, const char* what) {
 Json mapJson(const BakedMap& map) {
     Json matrix = Json::array();
     for (int column = 0; column < 4; ++column)
-        for (int row = 0; row < 4; ++row) matrix.push_back(map.worldToTexture[column][row]);
+        for (int row = 0; row < 4; ++row)
+            matrix.push_back(map.worldToTexture[column][row]);
     return {{"receiver", map.receiver},
             {"light", map.light},
             {"size", {map.size.x, map.size.y}},
@@ -55,15 +56,18 @@ void writeBake(const std::filesystem::path& folder, const Bake& bake) {
         throw InputError(fmt::format("{}: expected a folder to write to, found {}", folder.string(),
                                      error ? error.message() : "a file"));
     std::filesystem::remove(folder / "index.json", error);
-    Json index = {{"limpid", LIMPID_VERSION}, {"device", bake.device}, {"input", bake.input},
-                  {"method", bake.method},    {"time", bake.time},
-                  {"origin", {bake.origin.x, bake.origin.y, bake.origin.z}}};
+    Json index = {{"limpid", LIMPID_VERSION}, {"device", bake.device},
+                  {"input", bake.input},      {"method", bake.method},
+                  {"time", bake.time},        {"origin", {bake.origin.x, bake.origin.y, bake.origin.z}}};
     index["lights"] = Json::array();
     index["maps"] = Json::array();
-    for (const BakedLight& light : bake.lights) index["lights"].push_back(lightJson(light));
+    for (const BakedLight& light : bake.lights)
+        index["lights"].push_back(lightJson(light));
     for (const BakedMap& map : bake.maps) {
-        writeExr(folder / fileName(map, "irradiance"), map.size.x, map.size.y, {"R", "G", "B"}, map.irradiance);
-        writeExr(folder / fileName(map, "position"), map.size.x, map.size.y, {"R", "G", "B", "A"}, map.position);
+        writeExr(folder / fileName(map, "irradiance"), map.size.x, map.size.y, {"R", "G", "B"},
+                 map.irradiance);
+        writeExr(folder / fileName(map, "position"), map.size.x, map.size.y, {"R", "G", "B", "A"},
+                 map.position);
         writeExr(folder / fileName(map, "normal"), map.size.x, map.size.y, {"R", "G", "B"}, map.normal);
         index["maps"].push_back(mapJson(map));
     }

@@ -22,7 +22,8 @@ struct BakedMap {
 struct BakedLight {
     std::string light;
     int beams = 0, beamsDrawn = 0;
-    double entering = 0, absorbed = 0, scattered = 0, deposited = 0, missed = 0, rejected = 0, residual = 0; ///< W
+    double entering = 0, absorbed = 0, scattered = 0, deposited = 0, missed = 0, rejected = 0,
+           residual = 0; ///< W
 };
 
 struct Bake {
@@ -33,8 +34,8 @@ struct Bake {
     std::vector<BakedMap> maps;
 };
 
-/// Writes `index.json` and the EXR files of every map into `folder`, which is made if need be; the index comes last,
-/// so that a folder with an index is whole. Throws InputError when it cannot be written.
+/// Writes `index.json` and the EXR files of every map into `folder`, which is made if need be; the index
+/// comes last, so that a folder with an index is whole. Throws InputError when it cannot be written.
 void writeBake(const std::filesystem::path& folder, const Bake& bake);
 
 } // namespace limpid::io

@@ -13,13 +13,15 @@ namespace {
 
 // The look of a model alone. Lengths are fractions of its largest extent s, so that it does not depend on
 // size.
-constexpr double floorSize = 5.0;
+constexpr double floorSize = 6.5;
+constexpr int mapSize = 1024;     ///< the floor is several times as wide as the model
 constexpr double floorGap = 1e-4; ///< keeps a flat base and the floor from being one surface
 constexpr double waterAbove = 0.6;
-constexpr glm::dvec3 absorption{0.25, 0.06, 0.03}; ///< over s
+constexpr glm::dvec3 absorption{0.3, 0.07, 0.035};  ///< over s
+constexpr glm::dvec3 scattering{0.02, 0.03, 0.035}; ///< over s
 constexpr glm::dvec3 sunDirection{0.35, -1, 0.2};
-constexpr glm::dvec3 sunIrradiance{3, 3, 3};
-constexpr glm::dvec3 ambientRadiance{0.25, 0.28, 0.3};
+constexpr glm::dvec3 sunIrradiance{6, 5.8, 5.4};
+constexpr glm::dvec3 ambientRadiance{0.16, 0.22, 0.26};
 
 struct CosineWave {
     double wavelength;
@@ -85,6 +87,7 @@ toml::table defaultScene(const std::filesystem::path& model, const Mesh& mesh) {
     return toml::table{
         {"water", toml::table{{"level", bounds.max.y + waterAbove * s},
                               {"absorption", array(absorption / s)},
+                              {"scattering", array(scattering / s)},
                               {"wave", waves(s)}}},
         {"light", toml::array{toml::table{{"name", "sun"},
                                           {"direction", array(glm::normalize(sunDirection))},
@@ -96,6 +99,7 @@ toml::table defaultScene(const std::filesystem::path& model, const Mesh& mesh) {
                  {"name", "floor"},
                  {"plane", toml::table{{"size", array(glm::dvec2(floorSize * s))}}},
                  {"translation", array(glm::dvec3(center.x, bounds.min.y - floorGap * s, center.z))}}}},
+        {"caustics", toml::table{{"map_size", mapSize}}},
         {"ambient", toml::table{{"radiance", array(ambientRadiance)}}}};
 }
 

@@ -31,7 +31,8 @@ gl::Buffer boxFrame(gl::Ledger& ledger, const TexelFrame& frame, int planes, con
 } // namespace
 
 LevelMapPass::LevelMapPass(gl::Context& context)
-    : _context(context), _program({"levelmap/level_map.vert", "levelmap/face.geom", "levelmap/level_map.frag"}) {}
+    : _context(context),
+      _program({"levelmap/level_map.vert", "levelmap/face.geom", "levelmap/level_map.frag"}) {}
 
 void LevelMapPass::resize(LevelMap& map, glm::ivec2 size) {
     if (map.position.id() && map.position.size() == size) return;
@@ -71,7 +72,8 @@ void LevelMapPass::draw(LevelMap& map, const Inputs& inputs, const OrientedBox& 
 }
 
 SmartSlicing::SmartSlicing(gl::Context& context)
-    : _context(context), _histogram({"levelmap/depth_histogram.comp"}), _assign({"levelmap/assign_planes.comp"}) {}
+    : _context(context), _histogram({"levelmap/depth_histogram.comp"}),
+      _assign({"levelmap/assign_planes.comp"}) {}
 
 std::vector<std::uint32_t> SmartSlicing::histogram(const LevelMap& map, int depthLevels) {
     const std::size_t bins = depthLevels > 0 ? std::size_t(depthLevels) : map.planes.size();

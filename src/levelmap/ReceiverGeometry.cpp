@@ -39,7 +39,8 @@ ReceiverGeometry::ReceiverGeometry(gl::Context& context, const Receiver& receive
 
 void ReceiverGeometry::uploadImages(gl::Ledger& ledger, const Mesh& mesh) {
     for (const Image& image : mesh.images) {
-        gl::Texture texture(ledger, "textures", GL_SRGB8_ALPHA8, {std::max(image.width, 1), std::max(image.height, 1)});
+        gl::Texture texture(ledger, "textures", GL_SRGB8_ALPHA8,
+                            {std::max(image.width, 1), std::max(image.height, 1)});
         if (image.width > 0) texture.upload(GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
         texture.setFilter(GL_LINEAR, GL_REPEAT);
         _images.push_back(std::move(texture));
@@ -56,8 +57,9 @@ void ReceiverGeometry::draw(const gl::Program& program, GLenum primitive) const 
         const Material& material = _materials[std::size_t(part.material)];
         program.set(baseColorFactorLocation, material.baseColor);
         (material.baseColorImage >= 0 ? _images[std::size_t(material.baseColorImage)] : _white).bind(0);
-        glDrawElements(primitive, GLsizei(part.indexCount), GL_UNSIGNED_INT,
-                       reinterpret_cast<const void*>(std::uintptr_t(part.firstIndex) * sizeof(std::uint32_t)));
+        glDrawElements(
+            primitive, GLsizei(part.indexCount), GL_UNSIGNED_INT,
+            reinterpret_cast<const void*>(std::uintptr_t(part.firstIndex) * sizeof(std::uint32_t)));
     }
 }
 

@@ -11,7 +11,8 @@
 namespace limpid {
 
 /// A receiver on the GPU.
-/// Vertex: float[3] position, m from the scene's origin; float[3] shading normal; float[2] uv; 32-bit indices.
+/// Vertex: float[3] position, m from the scene's origin; float[3] shading normal; float[2] uv; 32-bit
+/// indices.
 class ReceiverGeometry {
   public:
     ReceiverGeometry(gl::Context& context, const Receiver& receiver, const glm::dvec3& origin);

@@ -5,19 +5,19 @@
 
 namespace limpid {
 
-/// One plane to draw: `index` is what texels that belong to it carry, `depth` its distance from the box's near face
-/// along the light, m.
+/// One plane to draw: `index` is what texels that belong to it carry, `depth` its distance from the box's
+/// near face along the light, m.
 struct ReferencePlane {
     int index = 0;
     double depth = 0;
 };
 
-/// All planes of a box of `height` m: `count` of them, both faces included; one lies in the middle (thesis 4-6 to
-/// 4-9 with N planes in place of n pieces).
+/// All planes of a box of `height` m: `count` of them, both faces included; one lies in the middle (thesis
+/// 4-6 to 4-9 with N planes in place of n pieces).
 std::vector<ReferencePlane> uniformPlanes(double height, int count);
 
-/// Smart slicing, automatic: the planes of `uniformPlanes` that some texel belongs to. `histogram[i]` counts the
-/// texels of plane i. Changes no texel's plane, so the result is bit for bit that of all planes.
+/// Smart slicing, automatic: the planes of `uniformPlanes` that some texel belongs to. `histogram[i]` counts
+/// the texels of plane i. Changes no texel's plane, so the result is bit for bit that of all planes.
 std::vector<ReferencePlane> occupiedPlanes(double height, std::span<const std::uint32_t> histogram);
 
 /// A run of the box that holds surface (thesis eq. 4-21), with reference planes of its own.

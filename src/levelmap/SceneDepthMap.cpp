@@ -11,7 +11,8 @@ enum Uniform { ReceiverNumber = 1, Farthest = 2, MapSize = 3 };
 glm::vec4 sceneDepthRect(const Light& light, const Water& water, std::span<const glm::dvec3> points,
                          const glm::dvec3& origin) {
     Bounds entries;
-    for (const glm::dvec3& p : points) entries.add(entryPoint(light, water, p) - origin);
+    for (const glm::dvec3& p : points)
+        entries.add(entryPoint(light, water, p) - origin);
     if (entries.empty()) return {0, 0, 1, 1};
     const glm::dvec2 size(entries.size().x, entries.size().z);
     const glm::dvec2 grown = glm::max(size * 1.01, glm::dvec2(1e-4 * std::max({size.x, size.y, 1e-6})));
@@ -20,11 +21,13 @@ glm::vec4 sceneDepthRect(const Light& light, const Water& water, std::span<const
 }
 
 SceneDepthPass::SceneDepthPass(gl::Context& context)
-    : _context(context), _program({"levelmap/scene_depth.vert", "levelmap/face.geom", "levelmap/scene_depth.frag"}) {}
+    : _context(context),
+      _program({"levelmap/scene_depth.vert", "levelmap/face.geom", "levelmap/scene_depth.frag"}) {}
 
 void SceneDepthPass::draw(gl::Texture& map, glm::ivec2 size, const Beams& beams,
                           std::span<const ReceiverGeometry> receivers, double farthest) {
-    if (map.size() != size || map.id() == 0) map = gl::Texture(_context.ledger(), "scene depth map", GL_RG32F, size);
+    if (map.size() != size || map.id() == 0)
+        map = gl::Texture(_context.ledger(), "scene depth map", GL_RG32F, size);
     const gl::Texture depth(_context.ledger(), "depth buffer", GL_DEPTH_COMPONENT32F, size);
     const gl::Texture* const targets[] = {&map};
     const gl::Framebuffer framebuffer("scene depth map", targets, &depth);

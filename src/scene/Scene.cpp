@@ -23,7 +23,8 @@ std::optional<Method> methodFromName(std::string_view name) {
 
 Bounds worldBounds(const Receiver& receiver) {
     Bounds bounds;
-    for (const glm::dvec3& p : receiver.mesh->positions) bounds.add(receiver.toWorld(p));
+    for (const glm::dvec3& p : receiver.mesh->positions)
+        bounds.add(receiver.toWorld(p));
     return bounds;
 }
 

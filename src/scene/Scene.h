@@ -25,28 +25,29 @@ struct Camera {
 
 enum class WaveType { Cosine, Circular, Noise };
 
-/// One term of the surface's height, m, at horizontal position xz and time t (see shaders/include/waves.glsl).
+/// One term of the surface's height, m, at horizontal position xz and time t (see
+/// shaders/include/waves.glsl).
 struct Wave {
     WaveType type = WaveType::Cosine;
-    double amplitude = 0.004;     ///< m; cosine and circular: half of crest to trough; noise: of the first octave
-    double wavelength = 0.2;      ///< m, > 0; noise: the lattice cell of the first octave
-    glm::dvec2 direction{1, 0};   ///< cosine: in xz, of any length > 0
-    glm::dvec2 center{0, 0};      ///< circular: x and z, m
-    double speed = 0;             ///< m/s
-    double phase = 0;             ///< degrees
-    int octaves = 4;              ///< noise: 1 to 12
-    std::uint32_t seed = 0;       ///< noise
+    double amplitude = 0.004; ///< m; cosine and circular: half of crest to trough; noise: of the first octave
+    double wavelength = 0.2;  ///< m, > 0; noise: the lattice cell of the first octave
+    glm::dvec2 direction{1, 0}; ///< cosine: in xz, of any length > 0
+    glm::dvec2 center{0, 0};    ///< circular: x and z, m
+    double speed = 0;           ///< m/s
+    double phase = 0;           ///< degrees
+    int octaves = 4;            ///< noise: 1 to 12
+    std::uint32_t seed = 0;     ///< noise
 };
 
 struct Water {
-    double level = 0;                  ///< y of the mean surface, m
-    std::optional<glm::dvec2> center;  ///< x and z, m; none: what the receivers can be lit from
-    std::optional<glm::dvec2> size;    ///< m; none: what the receivers can be lit from
-    glm::ivec2 grid{256, 256};         ///< quads
-    double ior = 1.333;                ///< [1, 4]
-    glm::dvec3 absorption{0};          ///< K, 1/m, >= 0
-    glm::dvec3 scattering{0};          ///< 1/m, >= 0
-    double anisotropy = 0.9;           ///< g of Henyey-Greenstein, (-1, 1)
+    double level = 0;                 ///< y of the mean surface, m
+    std::optional<glm::dvec2> center; ///< x and z, m; none: what the receivers can be lit from
+    std::optional<glm::dvec2> size;   ///< m; none: what the receivers can be lit from
+    glm::ivec2 grid{256, 256};        ///< quads
+    double ior = 1.333;               ///< [1, 4]
+    glm::dvec3 absorption{0};         ///< K, 1/m, >= 0
+    glm::dvec3 scattering{0};         ///< 1/m, >= 0
+    double anisotropy = 0.9;          ///< g of Henyey-Greenstein, (-1, 1)
     std::vector<Wave> waves;
 };
 
@@ -55,11 +56,11 @@ enum class LightType { Directional, Point };
 struct Light {
     std::string name = "light";
     LightType type = LightType::Directional;
-    glm::dvec3 direction{0, -1, 0};  ///< directional: the way light travels, of any length > 0
-    glm::dvec3 irradiance{1, 1, 1};  ///< directional: W/m² on a plane facing it
-    double angularDiameter = 0;      ///< directional: degrees, [0, 10]
-    glm::dvec3 position{0, 1, 0};    ///< point: m
-    glm::dvec3 intensity{1, 1, 1};   ///< point: W/sr
+    glm::dvec3 direction{0, -1, 0}; ///< directional: the way light travels, of any length > 0
+    glm::dvec3 irradiance{1, 1, 1}; ///< directional: W/m² on a plane facing it
+    double angularDiameter = 0;     ///< directional: degrees, [0, 10]
+    glm::dvec3 position{0, 1, 0};   ///< point: m
+    glm::dvec3 intensity{1, 1, 1};  ///< point: W/sr
 };
 
 /// An object that caustics fall on. `mesh` is in its own space; translation · rotation · scale puts it into
@@ -79,11 +80,11 @@ enum class Slicing { Automatic, Levels };
 
 struct CausticsSettings {
     Method method = Method::LevelMapSmart;
-    int mapSize = 512;             ///< texels on the longer side of the box, [1, 16384]
-    int planes = 50;               ///< reference planes of the whole box before slicing drops any, [1, 4096]
+    int mapSize = 512; ///< texels on the longer side of the box, [1, 16384]
+    int planes = 50;   ///< reference planes of the whole box before slicing drops any, [1, 4096]
     Slicing slicing = Slicing::Automatic;
-    int depthLevels = 64;          ///< Slicing::Levels: intervals of the depth histogram, [1, 4096]
-    double threshold = 0.01;       ///< Slicing::Levels: acceptance threshold ε, of the box's height, (0, 1]
+    int depthLevels = 64;    ///< Slicing::Levels: intervals of the depth histogram, [1, 4096]
+    double threshold = 0.01; ///< Slicing::Levels: acceptance threshold ε, of the box's height, (0, 1]
 };
 
 struct Scene {
@@ -91,8 +92,8 @@ struct Scene {
     Water water;
     std::vector<Light> lights;
     std::vector<Receiver> receivers;
-    glm::dvec3 skyRadiance{0.3, 0.4, 0.6};         ///< W/(m² sr)
-    glm::dvec3 ambientRadiance{0.05, 0.05, 0.05};  ///< W/(m² sr)
+    glm::dvec3 skyRadiance{0.3, 0.4, 0.6};        ///< W/(m² sr)
+    glm::dvec3 ambientRadiance{0.05, 0.05, 0.05}; ///< W/(m² sr)
     CausticsSettings caustics;
 };
 

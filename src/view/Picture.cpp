@@ -15,12 +15,12 @@ constexpr double underwaterMargin = 0.15; // of the view's half width: waves loo
 constexpr glm::ivec2 groupSize{8, 8};
 constexpr GLuint viewBinding = 2;
 enum ReceiverUniform { Underwater, WithAmbient, WithCaustics, DirectIrradiance, DirectDirection };
-enum WaterUniform { Hole };
+enum WaterUniform { Hole, PatchRect };
 enum ScreenUniform { TargetSize = 1 };
 
 struct ViewFrameData {
     glm::mat4 viewProjection, viewProjectionInverse;
-    glm::vec4 cameraPosition, ambientRadiance, skyRadiance, waterExtinction, viewWater;
+    glm::vec4 cameraPosition, ambientRadiance, skyRadiance, waterExtinction, viewWater, deepRadiance;
 };
 
 /// An upper bound on metres of water between the camera's rays and any receiver.
@@ -30,7 +30,8 @@ double farthestSeen(const PicturePass::Inputs& inputs, const glm::dvec3& camera)
     for (int i = 0; i < 8; ++i) {
         const glm::dvec3 corner(i & 1 ? bounds.max.x : bounds.min.x, i & 2 ? bounds.max.y : bounds.min.y,
                                 i & 4 ? bounds.max.z : bounds.min.z);
-        // From above, a ray leans by at most the critical angle: 1.6 of the depth; from below it goes anywhere.
+        // From above, a ray leans by at most the critical angle: 1.6 of the depth; from below it goes
+        // anywhere.
         farthest = std::max(farthest, camera.y > inputs.scene.water.level
                                           ? 1.6 * std::abs(inputs.scene.water.level - corner.y)
                                           : glm::distance(corner, camera));
@@ -38,13 +39,28 @@ double farthestSeen(const PicturePass::Inputs& inputs, const glm::dvec3& camera)
     return 1.1 * farthest;
 }
 
+/// Radiance of endless water in which the ambient light is the same everywhere: what each metre scatters into
+/// a ray balances what extinction takes from it.
+glm::dvec3 deepRadiance(const Scene& scene) {
+    glm::dvec3 deep = scene.ambientRadiance;
+    for (int c = 0; c < 3; ++c) {
+        const double lost = scene.water.absorption[c] + scene.water.scattering[c];
+        if (lost > 0) deep[c] *= scene.water.scattering[c] / lost;
+    }
+    return deep;
+}
+
+glm::vec4 patchRect(const PicturePass::Inputs& inputs) {
+    return glm::vec4(inputs.patch.min() - glm::dvec2(inputs.origin.x, inputs.origin.z), inputs.patch.size);
+}
+
 ViewFrameData viewFrame(const PicturePass::Inputs& inputs, glm::ivec2 size) {
     const Scene& scene = inputs.scene;
     const Camera& camera = scene.camera;
     const glm::dvec3 position = *camera.position - inputs.origin, target = *camera.target - inputs.origin;
     const double near = 1e-3 * std::max(glm::distance(position, target), 1e-9);
-    const glm::dmat4 projection = glm::infinitePerspective(glm::radians(camera.verticalFov),
-                                                           double(size.x) / double(size.y), near);
+    const glm::dmat4 projection =
+        glm::infinitePerspective(glm::radians(camera.verticalFov), double(size.x) / double(size.y), near);
     const glm::dvec3 forward = glm::normalize(target - position);
     // Looking along `up`, any other axis serves.
     const bool vertical = glm::length(glm::cross(forward, glm::normalize(camera.up))) < 1e-6;
@@ -55,9 +71,11 @@ ViewFrameData viewFrame(const PicturePass::Inputs& inputs, glm::ivec2 size) {
     frame.cameraPosition = glm::vec4(position, camera.position->y > scene.water.level ? 1 : 0);
     frame.ambientRadiance = glm::vec4(scene.ambientRadiance, 0);
     frame.skyRadiance = glm::vec4(scene.skyRadiance, 0);
-    frame.waterExtinction = glm::vec4(scene.water.absorption + scene.water.scattering,
-                                      farthestSeen(inputs, *camera.position));
-    frame.viewWater = glm::vec4(scene.water.level - inputs.origin.y, scene.water.ior, 1 / (1 + underwaterMargin), 0);
+    frame.waterExtinction =
+        glm::vec4(scene.water.absorption + scene.water.scattering, farthestSeen(inputs, *camera.position));
+    frame.viewWater =
+        glm::vec4(scene.water.level - inputs.origin.y, scene.water.ior, 1 / (1 + underwaterMargin), 0);
+    frame.deepRadiance = glm::vec4(deepRadiance(scene), 0);
     return frame;
 }
 
@@ -71,7 +89,8 @@ Picture resolve(const std::vector<float>& samples, glm::ivec2 size) {
             const std::size_t from = (std::size_t(y) * std::size_t(width) + std::size_t(x)) * 4;
             const std::size_t row = std::size_t(size.y - 1 - y / supersampling);
             float* to = &picture.rgb[(row * std::size_t(size.x) + std::size_t(x / supersampling)) * 3];
-            for (int c = 0; c < 3; ++c) to[c] += share * samples[from + std::size_t(c)];
+            for (int c = 0; c < 3; ++c)
+                to[c] += share * samples[from + std::size_t(c)];
         }
     return picture;
 }
@@ -140,19 +159,23 @@ void PicturePass::drawGrid(const Inputs& inputs) {
     grid.indices(inputs.surface.indices);
     grid.bind();
     _water.set(Hole, glm::vec4(0));
+    _water.set(PatchRect, patchRect(inputs));
     glDrawElements(GL_TRIANGLES, 3 * inputs.surface.triangleCount, GL_UNSIGNED_INT, nullptr);
 }
 
 /// The flat rest, out to where it is a line in any picture.
 void PicturePass::drawHorizon(const Inputs& inputs) {
     const glm::dvec3& camera = *inputs.scene.camera.position;
-    const double reach = 1000 * (glm::length(inputs.patch.size) + std::abs(camera.y - inputs.scene.water.level));
+    const double reach =
+        1000 * (glm::length(inputs.patch.size) + std::abs(camera.y - inputs.scene.water.level));
     std::array<glm::vec4, 12> vertices;
     constexpr int corners[] = {0, 1, 2, 2, 1, 3};
     for (std::size_t i = 0; i < 6; ++i) {
         const glm::dvec2 side(corners[i] & 1 ? 1 : -1, corners[i] & 2 ? 1 : -1);
-        vertices[2 * i] = glm::vec4(glm::dvec3(camera.x + reach * side.x, inputs.scene.water.level,
-                                               camera.z + reach * side.y) - inputs.origin, 1);
+        vertices[2 * i] = glm::vec4(
+            glm::dvec3(camera.x + reach * side.x, inputs.scene.water.level, camera.z + reach * side.y) -
+                inputs.origin,
+            1);
         vertices[2 * i + 1] = {0, 1, 0, 0};
     }
     const gl::Buffer buffer(_context.ledger(), "water", std::span<const glm::vec4>(vertices));
@@ -160,8 +183,8 @@ void PicturePass::drawHorizon(const Inputs& inputs) {
     quad.attribute(0, buffer, 4, 0, 32);
     quad.attribute(1, buffer, 4, 16, 32);
     quad.bind();
-    const glm::vec2 corner(inputs.patch.min() - glm::dvec2(inputs.origin.x, inputs.origin.z));
-    _water.set(Hole, glm::vec4(corner, inputs.patch.size));
+    _water.set(Hole, patchRect(inputs));
+    _water.set(PatchRect, glm::vec4(0));
     glDrawArrays(GL_TRIANGLES, 0, 6);
 }
 
@@ -198,7 +221,7 @@ Picture PicturePass::draw(const Inputs& inputs, glm::ivec2 size) {
     const gl::Texture* const targets[] = {&radiance, &position};
     const gl::Framebuffer picture("picture", targets, &depth);
     const bool above = frame.cameraPosition.w > 0.5f;
-    picture.clearColor(0, above ? frame.skyRadiance : frame.ambientRadiance);
+    picture.clearColor(0, above ? frame.skyRadiance : frame.deepRadiance);
     picture.clearDepth(1);
     drawReceivers(inputs, picture, false);
     below.bind(0);

@@ -31,7 +31,8 @@ void BeamTracer::trace(Beams& beams, const WaterMesh& surface, const Light& ligh
         const auto bytes = std::int64_t(surface.vertexCount) * std::int64_t(sizeof(glm::vec4));
         beams.origins = gl::Buffer(ledger, "beams", bytes);
         beams.directions = gl::Buffer(ledger, "beams", bytes);
-        beams.flux = gl::Buffer(ledger, "beams", std::int64_t(surface.triangleCount) * std::int64_t(sizeof(float)));
+        beams.flux =
+            gl::Buffer(ledger, "beams", std::int64_t(surface.triangleCount) * std::int64_t(sizeof(float)));
         beams.vertexCount = surface.vertexCount;
         beams.triangleCount = surface.triangleCount;
     }

@@ -7,7 +7,8 @@
 
 namespace limpid {
 
-/// A light over the water, as shaders/include/light.glsl reads it (std140). Positions in m from the scene's origin.
+/// A light over the water, as shaders/include/light.glsl reads it (std140). Positions in m from the scene's
+/// origin.
 struct LightFrameData {
     glm::vec4 position{0};
     glm::vec4 direction{0, -1, 0, 0};
@@ -17,15 +18,16 @@ struct LightFrameData {
 };
 LightFrameData lightFrame(const Light& light, const Water& water, const glm::dvec3& origin);
 
-/// The illumination volumes of one light (thesis eq. 4-14): every method reads only these. Beam i is the prism of
-/// refracted rays through the corners of water triangle i.
+/// The illumination volumes of one light (thesis eq. 4-14): every method reads only these. Beam i is the
+/// prism of refracted rays through the corners of water triangle i.
 struct Beams {
     gl::Buffer origins;    ///< a vertex: vec4, m from the scene's origin, w = Fresnel transmittance [0, 1]
     gl::Buffer directions; ///< a vertex: vec4, unit, below the surface; w = 0
-    gl::Buffer flux;       ///< a triangle: float after Fresnel, m² (directional) or sr (point); times `strength` it is W
-    gl::Buffer frame;      ///< LightFrameData
-    glm::vec4 rect{0, 0, 1, 1};   ///< sceneDepthRect of `frame`
-    glm::dvec3 strength{0};       ///< RGB, W/m² or W/sr; 0 for a light that does not enter the water
+    gl::Buffer
+        flux; ///< a triangle: float after Fresnel, m² (directional) or sr (point); times `strength` it is W
+    gl::Buffer frame;           ///< LightFrameData
+    glm::vec4 rect{0, 0, 1, 1}; ///< sceneDepthRect of `frame`
+    glm::dvec3 strength{0};     ///< RGB, W/m² or W/sr; 0 for a light that does not enter the water
     int vertexCount = 0;
     int triangleCount = 0;
 };

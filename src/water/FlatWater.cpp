@@ -25,7 +25,8 @@ std::vector<glm::dvec3> possibleNormals(double steepest) {
         for (int i = 0; i < turns; ++i) {
             const double angle = 2 * std::numbers::pi * i / turns;
             const double slope = share * steepest;
-            normals.push_back(glm::normalize(glm::dvec3(-slope * std::cos(angle), 1, -slope * std::sin(angle))));
+            normals.push_back(
+                glm::normalize(glm::dvec3(-slope * std::cos(angle), 1, -slope * std::sin(angle))));
         }
     return normals;
 }
@@ -50,7 +51,8 @@ bool entersWater(const Light& light, const Water& water) {
                                                 : light.position.y > water.level;
 }
 
-glm::dvec3 refractedAt(const Light& light, const Water& water, const glm::dvec3& surface, const glm::dvec3& normal) {
+glm::dvec3 refractedAt(const Light& light, const Water& water, const glm::dvec3& surface,
+                       const glm::dvec3& normal) {
     const glm::dvec3 incident = directionTo(light, surface);
     if (glm::dot(incident, normal) >= 0) return incident;
     return optics::refractDirection(incident, normal, 1 / water.ior);
@@ -94,10 +96,12 @@ WaterPatch coveringPatch(const Scene& scene) {
     }
     WaterPatch patch;
     patch.grid = water.grid;
-    // Crests lift the start of a ray off the mean level, and one quad more lets every inner texel see whole beams.
+    // Crests lift the start of a ray off the mean level, and one quad more lets every inner texel see whole
+    // beams.
     const double lift = 2 * highestWave(water);
     const glm::dvec2 size = glm::max(glm::dvec2(starts.size().x, starts.size().z) + lift, 1e-6);
-    patch.size = water.size.value_or(size * (1.0 + 2.0 / glm::dvec2(water.grid)) + 1e-3 * std::max(size.x, size.y));
+    patch.size =
+        water.size.value_or(size * (1.0 + 2.0 / glm::dvec2(water.grid)) + 1e-3 * std::max(size.x, size.y));
     patch.center = water.center.value_or(glm::dvec2(starts.center().x, starts.center().z));
     return patch;
 }

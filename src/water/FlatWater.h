@@ -30,8 +30,9 @@ struct WaterPatch {
     glm::dvec2 min() const { return center - 0.5 * size; }
 };
 
-/// What the scene asks for, or else every place from which a ray of any light, refracted by any slope that the
-/// waves can have, may reach a receiver (the receivers' bounding box below the level). Positions in the world.
+/// What the scene asks for, or else every place from which a ray of any light, refracted by any slope that
+/// the waves can have, may reach a receiver (the receivers' bounding box below the level). Positions in the
+/// world.
 WaterPatch coveringPatch(const Scene& scene);
 
 } // namespace limpid

@@ -18,8 +18,10 @@ std::vector<std::uint32_t> gridTriangles(glm::ivec2 quads) {
         for (int x = 0; x < quads.x; ++x) {
             const auto a = std::uint32_t(z * (quads.x + 1) + x), b = a + 1;
             const auto c = a + std::uint32_t(quads.x) + 1, d = c + 1;
-            if ((x + z) % 2 == 0) indices.insert(indices.end(), {a, c, b, b, c, d});
-            else indices.insert(indices.end(), {a, c, d, a, d, b});
+            if ((x + z) % 2 == 0)
+                indices.insert(indices.end(), {a, c, b, b, c, d});
+            else
+                indices.insert(indices.end(), {a, c, d, a, d, b});
         }
     return indices;
 }
@@ -40,7 +42,8 @@ void WaterSurface::resize(glm::ivec2 grid) {
     _mesh.indices = gl::Buffer(_context.ledger(), "water", std::span<const std::uint32_t>(indices));
 }
 
-void WaterSurface::update(const Water& water, const WaterPatch& patch, const glm::dvec3& origin, double time) {
+void WaterSurface::update(const Water& water, const WaterPatch& patch, const glm::dvec3& origin,
+                          double time) {
     resize(patch.grid);
     const auto terms = waveTerms(water, origin, time);
     const gl::Buffer waves(_context.ledger(), "waves", std::span<const WaveTermData>(terms));

@@ -9,8 +9,9 @@
 
 namespace limpid {
 
-/// The moving surface as triangles on the GPU. Vertices: vec4 position, m from the scene's origin, w = 1; vec4 unit
-/// normal. Triangles: three 32-bit indices, counter-clockwise from above; the diagonals of the quads alternate.
+/// The moving surface as triangles on the GPU. Vertices: vec4 position, m from the scene's origin, w = 1;
+/// vec4 unit normal. Triangles: three 32-bit indices, counter-clockwise from above; the diagonals of the
+/// quads alternate.
 struct WaterMesh {
     gl::Buffer positions;
     gl::Buffer normals;

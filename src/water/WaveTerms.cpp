@@ -14,19 +14,22 @@ WaveTermData cosineTerm(const Wave& wave, const glm::dvec3& origin, double time)
     const double k = tau / wave.wavelength;
     const double there = glm::dot(direction, glm::dvec2(origin.x, origin.z)) - wave.speed * time;
     const double phase = k * std::fmod(there, wave.wavelength) + glm::radians(wave.phase);
-    return {glm::vec4(wave.amplitude, k, std::fmod(phase, tau), 0), glm::vec4(direction, 0, 0), {0, 0, 0, 0}, {}};
+    return {
+        glm::vec4(wave.amplitude, k, std::fmod(phase, tau), 0), glm::vec4(direction, 0, 0), {0, 0, 0, 0}, {}};
 }
 
 WaveTermData circularTerm(const Wave& wave, const glm::dvec3& origin, double time) {
     const double k = tau / wave.wavelength;
     const double phase = glm::radians(wave.phase) - k * std::fmod(wave.speed * time, wave.wavelength);
     const glm::dvec2 center = wave.center - glm::dvec2(origin.x, origin.z);
-    return {glm::vec4(wave.amplitude, k, std::fmod(phase, tau), 0), glm::vec4(center, 0, 0), {1, 0, 0, 0}, {}};
+    return {
+        glm::vec4(wave.amplitude, k, std::fmod(phase, tau), 0), glm::vec4(center, 0, 0), {1, 0, 0, 0}, {}};
 }
 
 WaveTermData noiseTerm(const Wave& wave, const glm::dvec3& origin, double time) {
     const glm::dvec3 at = glm::dvec3(origin.x, origin.z, wave.speed * time) / wave.wavelength;
-    // The lattice repeats after 2^24 cells, far beyond any scene, so that the cell fits an int at every octave.
+    // The lattice repeats after 2^24 cells, far beyond any scene, so that the cell fits an int at every
+    // octave.
     const glm::dvec3 whole = glm::floor(at);
     const glm::dvec3 part = at - whole;
     const auto wrap = [](double cell) { return int(std::fmod(cell, 16777216.0)); };
@@ -42,17 +45,23 @@ std::vector<WaveTermData> waveTerms(const Water& water, const glm::dvec3& origin
     std::vector<WaveTermData> terms;
     for (const Wave& wave : water.waves) {
         switch (wave.type) {
-        case WaveType::Cosine: terms.push_back(cosineTerm(wave, origin, time)); break;
-        case WaveType::Circular: terms.push_back(circularTerm(wave, origin, time)); break;
-        case WaveType::Noise: terms.push_back(noiseTerm(wave, origin, time)); break;
+        case WaveType::Cosine:
+            terms.push_back(cosineTerm(wave, origin, time));
+            break;
+        case WaveType::Circular:
+            terms.push_back(circularTerm(wave, origin, time));
+            break;
+        case WaveType::Noise:
+            terms.push_back(noiseTerm(wave, origin, time));
+            break;
         }
     }
     return terms;
 }
 
 double steepestSlope(const Water& water) {
-    // Steepest slope of one octave of unit lattice and amplitude, found by search over all gradient choices of a
-    // cell; each octave has half the height and half the length, so all are equally steep.
+    // Steepest slope of one octave of unit lattice and amplitude, found by search over all gradient choices
+    // of a cell; each octave has half the height and half the length, so all are equally steep.
     constexpr double noiseSlope = 2.2;
     double slope = 0;
     for (const Wave& wave : water.waves)

@@ -15,12 +15,12 @@ struct WaveTermData {
     glm::ivec4 cell{0};
 };
 
-/// The waves at `time` (s) for positions relative to `origin` (m). What grows with time or distance is reduced in
-/// double precision here, so that a float has to hold one period at most.
+/// The waves at `time` (s) for positions relative to `origin` (m). What grows with time or distance is
+/// reduced in double precision here, so that a float has to hold one period at most.
 std::vector<WaveTermData> waveTerms(const Water& water, const glm::dvec3& origin, double time);
 
-/// A bound on the surface's slope (rise over run) that no place and time exceeds; noise is bounded by what its
-/// lattice can reach.
+/// A bound on the surface's slope (rise over run) that no place and time exceeds; noise is bounded by what
+/// its lattice can reach.
 double steepestSlope(const Water& water);
 
 /// A bound on how far the surface leaves its mean level, m.

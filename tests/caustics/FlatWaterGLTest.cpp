@@ -20,7 +20,8 @@ TEST_P(FlatWaterGLTest, everyInnerTexelFollowsTheFormula) {
     const double cosine = std::cos(glm::radians(given.degrees));
     const double refracted = std::cos(std::asin(std::sin(glm::radians(given.degrees)) / 1.333));
     const double path = given.depth / refracted;
-    const glm::dvec3 expected = glm::dvec3(2, 1, 0.5) * cosine * optics::fresnelTransmittance(cosine, 1 / 1.333) *
+    const glm::dvec3 expected = glm::dvec3(2, 1, 0.5) * cosine *
+                                optics::fresnelTransmittance(cosine, 1 / 1.333) *
                                 optics::extinction(given.absorption, path);
     for (const int planes : {1, 50}) {
         Scene scene;
@@ -40,7 +41,8 @@ TEST_P(FlatWaterGLTest, everyInnerTexelFollowsTheFormula) {
             if (std::max(std::abs(map.position[4 * i]), std::abs(map.position[4 * i + 2])) > 0.98f) continue;
             ++inner;
             for (int c = 0; c < 3; ++c)
-                worst = std::max(worst, std::abs(double(map.irradiance[3 * i + std::size_t(c)]) / expected[c] - 1));
+                worst = std::max(worst,
+                                 std::abs(double(map.irradiance[3 * i + std::size_t(c)]) / expected[c] - 1));
         }
         EXPECT_GT(inner, 10000);
         EXPECT_LT(worst, 0.005) << planes << " planes";
@@ -51,14 +53,16 @@ TEST_P(FlatWaterGLTest, everyInnerTexelFollowsTheFormula) {
 INSTANTIATE_TEST_SUITE_P(angles, FlatWaterGLTest,
                          ::testing::Values(FlatCase{0, glm::dvec3(0), 1}, FlatCase{30, glm::dvec3(0), 1},
                                            FlatCase{60, glm::dvec3(0), 1}, FlatCase{80, glm::dvec3(0), 1},
-                                           FlatCase{0, {0.5, 0.1, 0.02}, 1.5}, FlatCase{30, {0.5, 0.1, 0.02}, 1.5},
-                                           FlatCase{60, {0.5, 0.1, 0.02}, 1.5}, FlatCase{80, {0.5, 0.1, 0.02}, 1.5}));
+                                           FlatCase{0, {0.5, 0.1, 0.02}, 1.5},
+                                           FlatCase{30, {0.5, 0.1, 0.02}, 1.5},
+                                           FlatCase{60, {0.5, 0.1, 0.02}, 1.5},
+                                           FlatCase{80, {0.5, 0.1, 0.02}, 1.5}));
 
 class CommensurableGridGLTest : public EngineGLTest {};
 
 TEST_F(CommensurableGridGLTest, putsEachTexelIntoOneTriangle) {
-    // 1024 cells on 512 texels put every texel's centre on a grid line; a sloppy rule for shared edges doubles the
-    // light there.
+    // 1024 cells on 512 texels put every texel's centre on a grid line; a sloppy rule for shared edges
+    // doubles the light there.
     for (const int grid : {64, 128, 256}) {
         Scene scene;
         scene.receivers = {scenes::floorAt(-1)};
@@ -70,7 +74,8 @@ TEST_F(CommensurableGridGLTest, putsEachTexelIntoOneTriangle) {
         const Baked baked = bake(scene);
         const double expected = optics::fresnelTransmittance(1.0, 1 / 1.333);
         for (std::size_t i = 0; i < baked.maps[0].irradiance.size(); ++i)
-            ASSERT_NEAR(double(baked.maps[0].irradiance[i]) / expected, 1, 1e-3) << "texel " << i / 3 << ", grid " << grid;
+            ASSERT_NEAR(double(baked.maps[0].irradiance[i]) / expected, 1, 1e-3)
+                << "texel " << i / 3 << ", grid " << grid;
     }
 }
 
@@ -119,7 +124,8 @@ TEST_F(CausticMapGLTest, aLightThatDoesNotEnterGivesNothing) {
     scene.lights = {scenes::sunAt(100, "set"), lamp};
     const Baked baked = bake(scene, true);
     for (const MapData& map : baked.maps)
-        for (const float e : map.irradiance) EXPECT_EQ(e, 0);
+        for (const float e : map.irradiance)
+            EXPECT_EQ(e, 0);
     EXPECT_EQ(baked.flux[0].entering, 0);
     EXPECT_EQ(baked.flux[0].residual(), 0);
 }
@@ -136,7 +142,8 @@ TEST_F(CausticMapGLTest, aLampOverFlatWaterIsBrightestBelowIt) {
     const Baked baked = bake(scene);
     const MapData& map = baked.maps[0];
     const std::size_t center = 3 * (64 * 128 + 64);
-    // On the axis flat water widens the solid angle as if the lamp stood at n · (its height): E = I T / (h + d/n)².
+    // On the axis flat water widens the solid angle as if the lamp stood at n · (its height): E = I T / (h +
+    // d/n)².
     const double expected = optics::fresnelTransmittance(1.0, 1 / 1.333) / std::pow(1 + 1 / 1.333, 2);
     EXPECT_NEAR(map.irradiance[center], expected, 0.01 * expected);
     EXPECT_GT(map.irradiance[center], map.irradiance[3 * (64 * 128 + 10)]);

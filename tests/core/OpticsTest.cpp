@@ -32,7 +32,8 @@ TEST(Refraction, isTotalBeyondTheCriticalAngleFromWater) {
 TEST(Fresnel, matchesClosedForms) {
     // Normal incidence: 1 - ((n - 1) / (n + 1))².
     EXPECT_NEAR(optics::fresnelTransmittance(1.0, 1 / ior), 1 - std::pow((ior - 1) / (ior + 1), 2), 1e-14);
-    // Brewster's angle: the parallel part is not reflected, and reflected and refracted ray are at right angles.
+    // Brewster's angle: the parallel part is not reflected, and reflected and refracted ray are at right
+    // angles.
     const double brewster = std::atan(ior);
     const double perpendicular = std::pow(std::cos(2 * brewster), 2);
     EXPECT_NEAR(optics::fresnelTransmittance(std::cos(brewster), 1 / ior), 1 - 0.5 * perpendicular, 1e-14);
@@ -54,7 +55,8 @@ TEST(FlatCrossing, bendsByItsLaw) {
         for (const double below : {1e-3, 1.0, 30.0})
             for (const double across : {0.0, 0.1, 3.0, 200.0}) {
                 const double x = optics::flatCrossing(above, below, across, ior);
-                const double up = x / std::hypot(x, above), down = (across - x) / std::hypot(across - x, below);
+                const double up = x / std::hypot(x, above),
+                             down = (across - x) / std::hypot(across - x, below);
                 EXPECT_NEAR(up, ior * down, 1e-9) << above << ' ' << below << ' ' << across;
                 EXPECT_GE(x, 0);
                 EXPECT_LE(x, across);
@@ -63,8 +65,8 @@ TEST(FlatCrossing, bendsByItsLaw) {
 
 TEST(FlatCrossing, holdsInSinglePrecision) {
     for (const float across : {0.01f, 0.7f, 5.0f})
-        EXPECT_NEAR(shader::flatCrossing(1.5f, 0.8f, across, 1.333f), optics::flatCrossing(1.5, 0.8, across, 1.333),
-                    2e-6 * double(across));
+        EXPECT_NEAR(shader::flatCrossing(1.5f, 0.8f, across, 1.333f),
+                    optics::flatCrossing(1.5, 0.8, across, 1.333), 2e-6 * double(across));
 }
 
 TEST(Planes, eachDepthBelongsToExactlyOne) {

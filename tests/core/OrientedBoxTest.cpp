@@ -28,7 +28,8 @@ TEST(TightBox, findsTheTurnOfABox) {
 
 TEST(TightBox, isRightHandedAndHoldsItsPoints) {
     const auto points = corners({1, 0.4, 2}, 0.7);
-    for (const glm::dvec3& light : {glm::dvec3(0, -1, 0), glm::dvec3(0.6, -0.8, 0), glm::dvec3(-0.3, -0.5, 0.7)}) {
+    for (const glm::dvec3& light :
+         {glm::dvec3(0, -1, 0), glm::dvec3(0.6, -0.8, 0), glm::dvec3(-0.3, -0.5, 0.7)}) {
         const OrientedBox box = tightBox(points, light);
         EXPECT_LT(glm::distance(glm::cross(box.u, box.w), box.t), 1e-12);
         EXPECT_LT(glm::distance(box.t, glm::normalize(light)), 1e-12);

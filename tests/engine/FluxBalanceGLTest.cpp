@@ -9,7 +9,8 @@ class FluxBalanceGLTest : public EngineGLTest {
   protected:
     static Scene floorPastSphere() {
         Scene scene;
-        scene.receivers = {scenes::floorAt(-1.5, 3), scenes::shape("sphere", makeSphere(0.4, glm::vec3(0.8f)), {0, -1, 0})};
+        scene.receivers = {scenes::floorAt(-1.5, 3),
+                           scenes::shape("sphere", makeSphere(0.4, glm::vec3(0.8f)), {0, -1, 0})};
         scene.lights = {scenes::sunAt(45)};
         scene.water.grid = {96, 96};
         scene.caustics.mapSize = 384;
@@ -69,7 +70,8 @@ TEST_F(FluxBalanceGLTest, farFromTheOriginNothingChanges) {
     near.water.waves = {scenes::cosine(0.01, 0.32, {1, 0})};
     Scene far = near;
     // A whole number of wavelengths away, so that the waves are the same.
-    for (Receiver& receiver : far.receivers) receiver.translation += glm::dvec3(320000, 0, 0);
+    for (Receiver& receiver : far.receivers)
+        receiver.translation += glm::dvec3(320000, 0, 0);
     const Baked a = bake(near, true), b = bake(far, true);
     EXPECT_NEAR(a.flux[0].deposited, b.flux[0].deposited, 1e-3 * a.flux[0].deposited);
     EXPECT_NEAR(a.flux[0].entering, b.flux[0].entering, 1e-5 * a.flux[0].entering);

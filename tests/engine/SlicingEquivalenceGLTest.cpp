@@ -24,8 +24,11 @@ TEST_P(SlicingEquivalenceGLTest, isBitIdenticalToAllPlanes) {
             scene.caustics.method = Method::LevelMapSmart;
             const Baked smart = bake(engine, scene);
             for (std::size_t i = 0; i < all.maps.size(); ++i) {
-                EXPECT_EQ(all.maps[i].irradiance, smart.maps[i].irradiance) << planes << " planes, rough " << rough;
-                EXPECT_EQ(luvDifference(all.maps[i].irradiance, smart.maps[i].irradiance, all.maps[i].normalDotAxis), 0);
+                EXPECT_EQ(all.maps[i].irradiance, smart.maps[i].irradiance)
+                    << planes << " planes, rough " << rough;
+                EXPECT_EQ(luvDifference(all.maps[i].irradiance, smart.maps[i].irradiance,
+                                        all.maps[i].normalDotAxis),
+                          0);
                 EXPECT_LE(smart.planesDrawn[i], all.planesDrawn[i]);
                 EXPECT_EQ(all.planesDrawn[i], planes);
                 EXPECT_GT(all.maps[i].deposited, 0.05) << "there is light to compare";

@@ -24,7 +24,9 @@ TEST_F(ContextGLTest, isCoreFourFive) {
     EXPECT_EQ(profile, GL_CONTEXT_CORE_PROFILE_BIT);
 }
 
-TEST_F(ContextGLTest, subpixelGridIsTheOneTheMethodsAssume) { EXPECT_GE(context().info().subpixelBits, 8); }
+TEST_F(ContextGLTest, subpixelGridIsTheOneTheMethodsAssume) {
+    EXPECT_GE(context().info().subpixelBits, 8);
+}
 
 TEST_F(ContextGLTest, handlesFreeTheirBytes) {
     Ledger ledger;
@@ -80,7 +82,8 @@ TEST_F(ContextGLTest, anUnknownDeviceIsAnError) {
         Context other(options);
         FAIL();
     } catch (const GraphicsError& error) {
-        EXPECT_THAT(error.what(), HasSubstr("EGL: expected a device named or numbered \"no such device\", found 0 ("));
+        EXPECT_THAT(error.what(),
+                    HasSubstr("EGL: expected a device named or numbered \"no such device\", found 0 ("));
     }
 }
 

@@ -29,7 +29,8 @@ class GLTest : public ::testing::Test {
     }
     void TearDown() override {
         EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
-        for (const std::string& message : messages()) ADD_FAILURE() << message;
+        for (const std::string& message : messages())
+            ADD_FAILURE() << message;
     }
 
     /// For a test that makes the driver complain on purpose: what it said so far.

@@ -22,11 +22,14 @@ TEST(ShaderLibrary, resolvesIncludesOnce) {
 
 TEST(ShaderLibrary, namesFileAndLineInADriversMessage) {
     const ResolvedShader shader = resolveShader("water/beams.comp");
-    const auto line = std::find(shader.origins.begin(), shader.origins.end(), "shaders/include/optics.glsl:8");
+    const auto line =
+        std::find(shader.origins.begin(), shader.origins.end(), "shaders/include/optics.glsl:8");
     ASSERT_NE(line, shader.origins.end());
     const auto number = std::to_string(line - shader.origins.begin() + 1);
-    EXPECT_EQ(shader.locate("0:" + number + "(3): error: bad"), "shaders/include/optics.glsl:8: error: bad") << "Mesa";
-    EXPECT_EQ(shader.locate("0(" + number + ") : error C1"), "shaders/include/optics.glsl:8 : error C1") << "NVIDIA";
+    EXPECT_EQ(shader.locate("0:" + number + "(3): error: bad"), "shaders/include/optics.glsl:8: error: bad")
+        << "Mesa";
+    EXPECT_EQ(shader.locate("0(" + number + ") : error C1"), "shaders/include/optics.glsl:8 : error C1")
+        << "NVIDIA";
 }
 
 TEST(ShaderLibrary, saysWhichFileIsMissing) {
@@ -34,7 +37,8 @@ TEST(ShaderLibrary, saysWhichFileIsMissing) {
         resolveShader("water/none.comp");
         FAIL();
     } catch (const GraphicsError& error) {
-        EXPECT_STREQ(error.what(), "water/none.comp: expected a shader carried by the library, found none of that name");
+        EXPECT_STREQ(error.what(),
+                     "water/none.comp: expected a shader carried by the library, found none of that name");
     }
 }
 

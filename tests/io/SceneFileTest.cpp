@@ -245,14 +245,14 @@ TEST_P(ModelAloneTest, GetsFloorWaterAndSunInProportion) {
     EXPECT_EQ(scene.receivers[0].name, GetParam().name);
     EXPECT_EQ(scene.receivers[1].name, "floor");
     const Bounds model = worldBounds(scene.receivers[0]), floor = worldBounds(scene.receivers[1]);
-    EXPECT_NEAR(floor.size().x, 5 * s, 1e-9 * s);
-    EXPECT_NEAR(floor.size().z, 5 * s, 1e-9 * s);
+    EXPECT_NEAR(floor.size().x, 6.5 * s, 1e-9 * s);
+    EXPECT_NEAR(floor.size().z, 6.5 * s, 1e-9 * s);
     EXPECT_NEAR(floor.center().x, model.center().x, 1e-9 * s);
     EXPECT_NEAR(floor.center().z, model.center().z, 1e-9 * s);
     EXPECT_LT(floor.max.y, model.min.y);
     EXPECT_GT(floor.max.y, model.min.y - 0.01 * s);
     EXPECT_NEAR(scene.water.level, model.max.y + 0.6 * s, 1e-9 * s);
-    EXPECT_NEAR(scene.water.absorption.x * s, 0.25, 1e-9);
+    EXPECT_NEAR(scene.water.absorption.x * s, 0.3, 1e-9);
     ASSERT_EQ(scene.lights.size(), 1u);
     EXPECT_EQ(scene.lights[0].name, "sun");
     EXPECT_NEAR(glm::length(scene.lights[0].direction), 1, 1e-12);

@@ -34,7 +34,8 @@ TEST_F(LevelMapGLTest, positionsLieOnTheReceiver) {
             EXPECT_NEAR(glm::length(n), 1, 1e-4);
             EXPECT_GT(glm::dot(n, glm::normalize(p - glm::dvec3(0, -1.5, 0))), 0.98);
         }
-        EXPECT_NEAR(double(seen) / double(map.normalDotAxis.size()), M_PI / 4, 0.01) << "a disc in its square";
+        EXPECT_NEAR(double(seen) / double(map.normalDotAxis.size()), M_PI / 4, 0.01)
+            << "a disc in its square";
     }
 }
 
@@ -46,7 +47,8 @@ TEST_F(LevelMapGLTest, rowsRunDownAndColumnsRight) {
         return glm::vec3(map.position[i], map.position[i + 1], map.position[i + 2]);
     };
     const int middle = map.size.x / 2;
-    EXPECT_LT(at(middle / 2, middle).x, at(3 * middle / 2, middle).x) << "u goes right, along +x under a vertical sun";
+    EXPECT_LT(at(middle / 2, middle).x, at(3 * middle / 2, middle).x)
+        << "u goes right, along +x under a vertical sun";
     EXPECT_LT(at(middle, middle / 2).z, at(middle, 3 * middle / 2).z) << "row 0 is the far side, -z";
 }
 
@@ -55,8 +57,8 @@ TEST_F(LevelMapGLTest, halfOfASpheresPlanesAreDropped) {
     for (const int planes : {50, 101}) {
         const int upright = bake(sphereUnderFlatWater(0, planes)).planesDrawn.at(0);
         EXPECT_NEAR(double(upright) / planes, 0.5, 0.03) << upright << " of " << planes;
-        // Seen across its poles, the silhouette of 32 flat bands runs up to one half band past the equator, and it
-        // ends within a plane's reach: that much more is really lit.
+        // Seen across its poles, the silhouette of 32 flat bands runs up to one half band past the equator,
+        // and it ends within a plane's reach: that much more is really lit.
         const int tilted = bake(sphereUnderFlatWater(45, planes)).planesDrawn.at(0);
         const double band = 0.5 * std::sin(M_PI / 32);
         EXPECT_GE(double(tilted) / planes, 0.5);
@@ -71,10 +73,12 @@ TEST_F(LevelMapGLTest, histogramCountsEveryTexelOnce) {
     const Baked baked = bake(engine, scene);
     SmartSlicing slicing(context());
     std::uint64_t texels = 0;
-    for (const float alpha : baked.maps[0].normalDotAxis) texels += alpha > 0;
+    for (const float alpha : baked.maps[0].normalDotAxis)
+        texels += alpha > 0;
     for (const int levels : {0, 1, 64}) {
         std::uint64_t counted = 0;
-        for (const std::uint32_t count : slicing.histogram(engine.maps()[0].level, levels)) counted += count;
+        for (const std::uint32_t count : slicing.histogram(engine.maps()[0].level, levels))
+            counted += count;
         EXPECT_EQ(counted, texels) << levels;
     }
 }

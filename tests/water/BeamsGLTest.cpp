@@ -20,16 +20,22 @@ class BeamsGLTest : public GLTest {
         double sum = 0;
     };
 
-    static Traced trace(const Water& water, const WaterPatch& patch, const Light& light, const glm::dvec3& origin = {}) {
+    static Traced trace(const Water& water, const WaterPatch& patch, const Light& light,
+                        const glm::dvec3& origin = {}) {
         WaterSurface surface(context());
         surface.update(water, patch, origin, 0);
         BeamTracer tracer(context());
         Beams beams;
         tracer.trace(beams, surface.mesh(), light, water, lightFrame(light, water, origin));
-        const auto vertices = std::size_t(surface.mesh().vertexCount), triangles = std::size_t(beams.triangleCount);
-        Traced traced{surface.mesh().positions.read<glm::vec4>(vertices), surface.mesh().normals.read<glm::vec4>(vertices),
-                      beams.origins.read<glm::vec4>(vertices), beams.directions.read<glm::vec4>(vertices),
-                      beams.flux.read<float>(triangles), surface.mesh().indices.read<std::uint32_t>(3 * triangles), 0};
+        const auto vertices = std::size_t(surface.mesh().vertexCount),
+                   triangles = std::size_t(beams.triangleCount);
+        Traced traced{surface.mesh().positions.read<glm::vec4>(vertices),
+                      surface.mesh().normals.read<glm::vec4>(vertices),
+                      beams.origins.read<glm::vec4>(vertices),
+                      beams.directions.read<glm::vec4>(vertices),
+                      beams.flux.read<float>(triangles),
+                      surface.mesh().indices.read<std::uint32_t>(3 * triangles),
+                      0};
         traced.sum = std::accumulate(traced.flux.begin(), traced.flux.end(), 0.0);
         return traced;
     }
@@ -48,9 +54,11 @@ TEST_F(BeamsGLTest, surfaceIsTheSumOfItsWaves) {
     for (std::size_t i = 0; i < traced.positions.size(); ++i) {
         const glm::vec3 p = traced.positions[i];
         glm::vec3 sum(0);
-        for (const WaveTermData& t : terms) sum += shader::waveHeightAndSlope({t.shape, t.place, t.kind, t.cell}, {p.x, p.z});
+        for (const WaveTermData& t : terms)
+            sum += shader::waveHeightAndSlope({t.shape, t.place, t.kind, t.cell}, {p.x, p.z});
         EXPECT_NEAR(p.y, 0.3f - 1.0f + sum.x, 2e-6f);
-        EXPECT_LT(glm::distance(glm::vec3(traced.normals[i]), glm::normalize(glm::vec3(-sum.y, 1, -sum.z))), 3e-5f);
+        EXPECT_LT(glm::distance(glm::vec3(traced.normals[i]), glm::normalize(glm::vec3(-sum.y, 1, -sum.z))),
+                  3e-5f);
     }
     EXPECT_NEAR(double(traced.positions.front().x), patch.min().x - origin.x, 1e-6);
     EXPECT_NEAR(double(traced.positions.back().z), patch.min().y + patch.size.y - origin.z, 1e-6);
@@ -76,8 +84,11 @@ TEST_F(BeamsGLTest, raysFollowSnellAndFresnel) {
     const Traced traced = trace(water, patchOf({2, 2}, {16, 16}), sun);
     for (std::size_t i = 0; i < traced.origins.size(); ++i) {
         const glm::dvec3 n = glm::normalize(glm::dvec3(traced.normals[i]));
-        EXPECT_LT(glm::distance(glm::dvec3(traced.directions[i]), optics::refractDirection(sun.direction, n, 1 / 1.333)), 2e-6);
-        EXPECT_NEAR(double(traced.origins[i].w), optics::fresnelTransmittance(-glm::dot(sun.direction, n), 1 / 1.333), 2e-6);
+        EXPECT_LT(glm::distance(glm::dvec3(traced.directions[i]),
+                                optics::refractDirection(sun.direction, n, 1 / 1.333)),
+                  2e-6);
+        EXPECT_NEAR(double(traced.origins[i].w),
+                    optics::fresnelTransmittance(-glm::dot(sun.direction, n), 1 / 1.333), 2e-6);
     }
 }
 
@@ -85,13 +96,14 @@ TEST_F(BeamsGLTest, flatWaterTakesTheProjectedArea) {
     for (const double degrees : {0.0, 30.0, 60.0, 80.0}) {
         const double cosine = std::cos(glm::radians(degrees));
         const Traced traced = trace(Water{}, patchOf({3, 2}, {32, 32}), scenes::sunAt(degrees));
-        EXPECT_NEAR(traced.sum / (6 * cosine * optics::fresnelTransmittance(cosine, 1 / 1.333)), 1, 2e-6) << degrees;
+        EXPECT_NEAR(traced.sum / (6 * cosine * optics::fresnelTransmittance(cosine, 1 / 1.333)), 1, 2e-6)
+            << degrees;
     }
 }
 
 TEST_F(BeamsGLTest, wavesTakeNoMoreThanTheFlatPatch) {
-    // The projected area of a closed sheet over the same outline is the outline's; only crests that shade troughs and
-    // Fresnel's law change it, and a gentle surface under a high sun has neither to speak of.
+    // The projected area of a closed sheet over the same outline is the outline's; only crests that shade
+    // troughs and Fresnel's law change it, and a gentle surface under a high sun has neither to speak of.
     Water water;
     water.waves = {scenes::cosine(0.004, 0.5, {1, 0})};
     const double flat = trace(Water{}, patchOf({2, 2}, {64, 64}), scenes::sunAt(0)).sum;
@@ -99,8 +111,8 @@ TEST_F(BeamsGLTest, wavesTakeNoMoreThanTheFlatPatch) {
 }
 
 TEST_F(BeamsGLTest, aLampGivesItsSolidAngle) {
-    // IOR 1: nothing is reflected, so the sum is the patch's solid angle: 4 asin(a² / (a² + h²))... for a square of
-    // half side a under a lamp at height h: 4 asin(a² / (a² + h²)).
+    // IOR 1: nothing is reflected, so the sum is the patch's solid angle: 4 asin(a² / (a² + h²))... for a
+    // square of half side a under a lamp at height h: 4 asin(a² / (a² + h²)).
     Water water;
     water.ior = 1;
     Light lamp;
@@ -117,7 +129,8 @@ TEST_F(BeamsGLTest, aLowSunLosesTheBacksOfWaves) {
     water.waves = {scenes::cosine(0.05, 0.5, {1, 0})};
     const Traced traced = trace(water, patchOf({2, 2}, {64, 64}), scenes::sunAt(88));
     EXPECT_TRUE(std::any_of(traced.flux.begin(), traced.flux.end(), [](float f) { return f == 0; }));
-    for (const float f : traced.flux) EXPECT_TRUE(std::isfinite(f) && f >= 0);
+    for (const float f : traced.flux)
+        EXPECT_TRUE(std::isfinite(f) && f >= 0);
 }
 
 } // namespace

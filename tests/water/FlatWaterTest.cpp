@@ -62,7 +62,8 @@ TEST(CoveringPatch, holdsEveryStartOfARayToTheReceivers) {
     for (const Light& light : scene.lights)
         for (int i = 0; i < 400; ++i) {
             const double angle = 0.1 * i, slope = steepest * (i % 7) / 6.0;
-            const glm::dvec3 normal = glm::normalize(glm::dvec3(slope * std::cos(angle), 1, slope * std::sin(angle)));
+            const glm::dvec3 normal =
+                glm::normalize(glm::dvec3(slope * std::cos(angle), 1, slope * std::sin(angle)));
             const glm::dvec3 t = refractedAt(light, scene.water, {}, normal);
             const glm::dvec3 point(i & 1 ? 1 : -1, -1, i & 2 ? 1 : -1);
             const glm::dvec3 start = point - t * (1 / -t.y);

@@ -9,9 +9,12 @@
 namespace limpid {
 namespace {
 
-shader::WaveTerm toShader(const WaveTermData& data) { return {data.shape, data.place, data.kind, data.cell}; }
+shader::WaveTerm toShader(const WaveTermData& data) {
+    return {data.shape, data.place, data.kind, data.cell};
+}
 
-glm::dvec3 heightAndSlope(const Wave& wave, const glm::vec2& xz, double time = 0, const glm::dvec3& origin = {}) {
+glm::dvec3 heightAndSlope(const Wave& wave, const glm::vec2& xz, double time = 0,
+                          const glm::dvec3& origin = {}) {
     Water water;
     water.waves = {wave};
     return shader::waveHeightAndSlope(toShader(waveTerms(water, origin, time)[0]), xz);
@@ -53,8 +56,10 @@ TEST(Waves, slopesAreTheDerivativesOfTheHeight) {
         for (int i = 0; i < 200; ++i) {
             const glm::vec2 xz(0.37f * float(i % 20) - 2, 0.53f * float(i / 20) - 3);
             const glm::dvec3 here = heightAndSlope(wave, xz);
-            const double dx = heightAndSlope(wave, xz + glm::vec2(step, 0)).x - heightAndSlope(wave, xz - glm::vec2(step, 0)).x;
-            const double dz = heightAndSlope(wave, xz + glm::vec2(0, step)).x - heightAndSlope(wave, xz - glm::vec2(0, step)).x;
+            const double dx = heightAndSlope(wave, xz + glm::vec2(step, 0)).x -
+                              heightAndSlope(wave, xz - glm::vec2(step, 0)).x;
+            const double dz = heightAndSlope(wave, xz + glm::vec2(0, step)).x -
+                              heightAndSlope(wave, xz - glm::vec2(0, step)).x;
             // Float heights of 0.05 over a step of 2e-3: rounding alone is 4e-6.
             EXPECT_NEAR(here.y, dx / (2 * step), 3e-4);
             EXPECT_NEAR(here.z, dz / (2 * step), 3e-4);
@@ -73,8 +78,10 @@ TEST(Waves, doNotDependOnWhereTheOriginIs) {
         Wave there = waveOf(type);
         const glm::dvec3 near = heightAndSlope(there, {0.3f, 0.4f}, 1);
         there.center += glm::dvec2(far.x, far.z);
-        if (type == WaveType::Cosine) there.phase -= glm::degrees(2 * M_PI / 0.8 * std::fmod(0.6 * far.x + 0.8 * far.z, 0.8));
-        const glm::dvec3 moved = heightAndSlope(there, {0.3f, 0.4f}, 1, type == WaveType::Noise ? glm::dvec3(0) : far);
+        if (type == WaveType::Cosine)
+            there.phase -= glm::degrees(2 * M_PI / 0.8 * std::fmod(0.6 * far.x + 0.8 * far.z, 0.8));
+        const glm::dvec3 moved =
+            heightAndSlope(there, {0.3f, 0.4f}, 1, type == WaveType::Noise ? glm::dvec3(0) : far);
         EXPECT_NEAR(near.x, moved.x, 1e-6);
         EXPECT_NEAR(near.y, moved.y, 1e-5);
     }
@@ -90,7 +97,8 @@ TEST(Waves, noiseAtAFarOriginIsNoiseThere) {
 TEST(Waves, staySharpAfterADay) {
     const Wave wave = waveOf(WaveType::Cosine);
     const double period = wave.wavelength / wave.speed;
-    EXPECT_NEAR(heightAndSlope(wave, {0.1f, 0.2f}, 0.3).x, heightAndSlope(wave, {0.1f, 0.2f}, 0.3 + 75600 * period).x, 1e-6);
+    EXPECT_NEAR(heightAndSlope(wave, {0.1f, 0.2f}, 0.3).x,
+                heightAndSlope(wave, {0.1f, 0.2f}, 0.3 + 75600 * period).x, 1e-6);
 }
 
 TEST(Waves, noiseSeedsDiffer) {
