@@ -57,6 +57,7 @@ void printBake(const io::Bake& bake) {
 
 void bake(const BakeOptions& options) {
     Scene scene = loadScene(options.common);
+    io::prepareFolder(options.output);
     gl::Context context(contextOptions(options.common));
     Engine engine(context);
     engine.setSkipping(!options.common.noSkip);

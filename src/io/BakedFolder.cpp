@@ -49,12 +49,17 @@ Json mapJson(const BakedMap& map) {
 
 } // namespace
 
-void writeBake(const std::filesystem::path& folder, const Bake& bake) {
+void prepareFolder(const std::filesystem::path& folder) {
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     if (!std::filesystem::is_directory(folder))
         throw InputError(fmt::format("{}: expected a folder to write to, found {}", folder.string(),
                                      error ? error.message() : "a file"));
+}
+
+void writeBake(const std::filesystem::path& folder, const Bake& bake) {
+    prepareFolder(folder);
+    std::error_code error;
     std::filesystem::remove(folder / "index.json", error);
     Json index = {{"limpid", LIMPID_VERSION}, {"device", bake.device},
                   {"input", bake.input},      {"method", bake.method},

@@ -34,6 +34,9 @@ struct Bake {
     std::vector<BakedMap> maps;
 };
 
+/// Makes `folder` if need be, so that a long computation does not end at a wrong name. Throws InputError.
+void prepareFolder(const std::filesystem::path& folder);
+
 /// Writes `index.json` and the EXR files of every map into `folder`, which is made if need be; the index
 /// comes last, so that a folder with an index is whole. Throws InputError when it cannot be written.
 void writeBake(const std::filesystem::path& folder, const Bake& bake);

@@ -1,0 +1,151 @@
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+#include <sys/wait.h>
+
+#include "io/Images.h"
+#include "io/TempFolder.h"
+
+namespace limpid {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+struct Result {
+    int code = -1;
+    std::string out; ///< stdout and stderr
+};
+
+/// Runs the program as a shell would.
+Result run(const std::string& arguments, const std::string& environment = "") {
+    const std::string command = fmt::format("{} {}/limpid {} 2>&1", environment, LIMPID_BUILD, arguments);
+    Result result;
+    FILE* pipe = popen(command.c_str(), "r");
+    if (!pipe) return result;
+    char buffer[4096];
+    while (const std::size_t bytes = std::fread(buffer, 1, sizeof(buffer), pipe))
+        result.out.append(buffer, bytes);
+    result.code = WEXITSTATUS(pclose(pipe));
+    return result;
+}
+
+std::string models(const char* name) {
+    return std::string(LIMPID_ROOT) + "/models/" + name;
+}
+const std::string quick = " --set water.grid=[32,32] --map-size 64 --planes 5";
+
+class CommandLineGLTest : public testing::Test {
+  protected:
+    test::TempFolder folder;
+    std::string path(const char* name) const { return (folder.path() / name).string(); }
+    std::size_t files() const {
+        return std::size_t(std::distance(std::filesystem::directory_iterator(folder.path()), {}));
+    }
+};
+
+TEST_F(CommandLineGLTest, aBareModelGivesAPicture) {
+    const Result result =
+        run("render " + models("fish.glb") + " -o " + path("fish.png") + " --size 96x54" + quick);
+    EXPECT_EQ(result.code, 0) << result.out;
+    const io::FloatImage picture = io::readImage(path("fish.png"));
+    EXPECT_EQ(picture.width, 96);
+    EXPECT_EQ(picture.height, 54);
+    EXPECT_GT(*std::max_element(picture.data.begin(), picture.data.end()), 0.5f);
+    EXPECT_EQ(files(), 1u) << "and no partial file";
+}
+
+TEST_F(CommandLineGLTest, exrIsLinear) {
+    const Result result =
+        run("render " + models("box.glb") + " -o " + path("a.exr") + " --size 32x18 --quiet" + quick);
+    EXPECT_EQ(result.code, 0);
+    EXPECT_EQ(result.out, "") << "--quiet";
+    EXPECT_EQ(io::readImage(path("a.exr")).channels, 3);
+}
+
+TEST_F(CommandLineGLTest, bakeWritesTheContract) {
+    const Result result = run("bake " + models("sphere.glb") + " -o " + path("maps") + quick);
+    ASSERT_EQ(result.code, 0) << result.out;
+    const auto index = nlohmann::json::parse(std::ifstream(path("maps/index.json")));
+    EXPECT_EQ(index["method"], "level-map-smart");
+    EXPECT_EQ(index["lights"][0]["light"], "sun");
+    EXPECT_EQ(index["lights"][0]["beams"], 2 * 32 * 32);
+    const auto& flux = index["lights"][0]["flux"];
+    double rest = flux["entering"];
+    for (const char* part : {"absorbed", "scattered", "deposited", "missed", "rejected", "residual"})
+        rest -= double(flux[part]);
+    EXPECT_NEAR(rest, 0, 1e-9);
+    ASSERT_EQ(index["maps"].size(), 2u);
+    for (const auto& map : index["maps"]) {
+        EXPECT_LE(map["planes"]["drawn"], map["planes"]["requested"]);
+        const auto irradiance = io::readImage(folder.path() / "maps" / std::string(map["irradiance"]));
+        const auto position = io::readImage(folder.path() / "maps" / std::string(map["position"]));
+        EXPECT_EQ(irradiance.width, map["size"][0]);
+        EXPECT_EQ(irradiance.channelNames, (std::vector<std::string>{"R", "G", "B"}));
+        EXPECT_EQ(position.channelNames, (std::vector<std::string>{"R", "G", "B", "A"}));
+        const auto m = map["world_to_texture"].get<std::vector<double>>();
+        for (int y = 0; y < position.height; y += 7)
+            for (int x = 0; x < position.width; x += 7) {
+                const float* p = &position.data[4 * std::size_t(y * position.width + x)];
+                if (p[3] == 0) continue;
+                const double u = m[0] * p[0] + m[4] * p[1] + m[8] * p[2] + m[12];
+                const double v = m[1] * p[0] + m[5] * p[1] + m[9] * p[2] + m[13];
+                EXPECT_NEAR(u * position.width, x + 0.5, 0.01);
+                EXPECT_NEAR(v * position.height, y + 0.5, 0.01);
+            }
+    }
+}
+
+TEST_F(CommandLineGLTest, wrongUsageIsTwo) {
+    const std::string fish = models("fish.glb"), out = " -o " + path("x.png");
+    const std::pair<std::string, std::string> cases[] = {
+        {"", "Usage: limpid"},
+        {"paint", "limpid: "},
+        {"render " + fish, "limpid: --output is required"},
+        {"render " + fish + " -o " + path("x.jpg"),
+         "expected a name that ends in .png or .exr, found \".jpg\""},
+        {"render " + fish + " -o " + path("no/x.png"), "expected a folder to write to, found none named"},
+        {"render none.glb" + out, "limpid: none.glb: expected a file, found nothing of that name"},
+        {"render " + fish + out + " --size 0x5",
+         "--size: expected WxH with 1 to 7680 pixels each, found \"0x5\""},
+        {"render " + fish + out + " --set novalue", "--set: expected KEY=VALUE, found \"novalue\""},
+        {"render " + fish + out + " --method magic", "--set caustics.method=magic: expected"},
+        {"render " + fish + out + " --planes -3",
+         "--set caustics.planes=-3: expected a whole number from 1 to 4096, found -3"},
+        {"bake " + fish + " -o " + fish, "expected a folder to write to, found"},
+    };
+    for (const auto& [arguments, expected] : cases) {
+        const Result result = run(arguments);
+        EXPECT_EQ(result.code, 2) << arguments;
+        EXPECT_THAT(result.out, HasSubstr(expected)) << arguments;
+        if (!arguments.empty()) {
+            EXPECT_EQ(std::count(result.out.begin(), result.out.end(), '\n'), 1) << result.out;
+        }
+    }
+    EXPECT_EQ(files(), 0u) << "nothing half-written";
+}
+
+TEST_F(CommandLineGLTest, aMissingGraphicsSystemIsThree) {
+    const Result none = run("info", "__EGL_VENDOR_LIBRARY_FILENAMES=/nonexistent");
+    EXPECT_EQ(none.code, 3);
+    EXPECT_THAT(none.out, StartsWith("limpid: EGL: expected a device with OpenGL 4.5 core, found none"));
+    const Result device = run("info --device 99");
+    EXPECT_EQ(device.code, 3);
+    EXPECT_THAT(device.out, StartsWith("limpid: EGL: expected a device named or numbered \"99\""));
+}
+
+TEST_F(CommandLineGLTest, helpAndVersionAreZero) {
+    EXPECT_EQ(run("--help").code, 0);
+    EXPECT_EQ(run("render --help").code, 0);
+    EXPECT_THAT(run("--version").out, StartsWith("limpid 0."));
+    const Result info = run("info --json");
+    EXPECT_EQ(info.code, 0);
+    EXPECT_TRUE(nlohmann::json::parse(info.out).contains("renderer"));
+}
+
+} // namespace
+} // namespace limpid
