@@ -1,10 +1,12 @@
-#include <chrono>
 #include <filesystem>
+#include <optional>
 
 #include <fmt/format.h>
 
 #include "apps/Common.h"
+#include "apps/Frames.h"
 #include "core/Error.h"
+#include "core/Progress.h"
 #include "engine/Engine.h"
 #include "io/Images.h"
 
@@ -17,6 +19,8 @@ struct RenderOptions {
     std::string output;
     std::string size = "960x540";
     double time = 0;
+    std::string frames;
+    double fps = 30;
 };
 
 void write(const std::filesystem::path& file, const Picture& picture, double exposure) {
@@ -26,25 +30,60 @@ void write(const std::filesystem::path& file, const Picture& picture, double exp
         io::writePng(file, picture.size.x, picture.size.y, toneMapped(picture, exposure));
 }
 
-void requirePictureName(const std::filesystem::path& file) {
-    if (file.extension() != ".png" && file.extension() != ".exr")
-        throw InputError(fmt::format("{}: expected a name that ends in .png or .exr, found \"{}\"",
-                                     file.string(), file.extension().string()));
+void requirePictureName(const std::filesystem::path& file, bool sequence) {
+    if (file.extension() != ".png" && file.extension() != ".exr" && !(sequence && isVideo(file)))
+        throw InputError(fmt::format("{}: expected a name that ends in .png or .exr{}, found \"{}\"",
+                                     file.string(), sequence ? ", or .mp4, .mkv or .webm" : "",
+                                     file.extension().string()));
     const auto folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
     if (!std::filesystem::is_directory(folder))
         throw InputError(fmt::format("{}: expected a folder to write to, found none named {}", file.string(),
                                      folder.string()));
 }
 
+/// Frame i is at time i / fps. Pictures that are there already are kept, so that an interrupted sequence goes
+/// on.
+void renderFrames(const RenderOptions& options, Engine& engine, glm::ivec2 size, double exposure) {
+    const FrameRange range = parseFrames(options.frames);
+    std::optional<VideoWriter> video;
+    if (isVideo(options.output)) video.emplace(options.output, size, options.fps);
+    Progress progress("frames", range.count(), !options.common.quiet);
+    int kept = 0;
+    for (int frame = range.first; frame <= range.last; ++frame) {
+        progress.update(frame - range.first);
+        const auto file = video ? std::filesystem::path() : frameName(options.output, frame);
+        if (!video && std::filesystem::exists(file)) {
+            ++kept;
+            continue;
+        }
+        const Picture picture = engine.render(frame / options.fps, size);
+        if (video)
+            video->add(toneMapped(picture, exposure).data());
+        else
+            write(file, picture, exposure);
+    }
+    if (video) video->finish();
+    if (options.common.quiet) return;
+    fmt::print("{}: {} frames of {} x {} pixels", options.output, range.count(), size.x, size.y);
+    if (kept > 0) fmt::print(", {} of them there already", kept);
+    fmt::print("\n");
+}
+
 void render(const RenderOptions& options) {
     const glm::ivec2 size = parseSize(options.size);
-    requirePictureName(options.output);
+    const bool sequence = !options.frames.empty();
+    requirePictureName(options.output, sequence);
+    if (sequence && !isVideo(options.output)) frameName(options.output, parseFrames(options.frames).first);
     Scene scene = loadScene(options.common);
     const double exposure = scene.camera.exposure;
     gl::Context context(contextOptions(options.common));
     Engine engine(context);
     engine.setSkipping(!options.common.noSkip);
     engine.setScene(std::move(scene));
+    if (sequence) {
+        renderFrames(options, engine, size, exposure);
+        return;
+    }
     write(options.output, engine.render(options.time, size), exposure);
     if (!options.common.quiet) fmt::print("{}: {} x {} pixels\n", options.output, size.x, size.y);
     if (options.common.verbose) printWork(engine, context);
@@ -58,7 +97,14 @@ void addRender(CLI::App& app) {
     addCommonOptions(*command, options->common);
     command->add_option("-o,--output", options->output, "picture to write, .png or .exr")->required();
     command->add_option("--size", options->size, "pixels, WxH")->capture_default_str();
-    command->add_option("--time", options->time, "seconds");
+    auto* time = command->add_option("--time", options->time, "seconds")->check(CLI::Range(-1e9, 1e9));
+    command
+        ->add_option("--frames", options->frames,
+                     "A..B: a sequence; the picture's name holds %04d, or ends in .mp4")
+        ->excludes(time);
+    command->add_option("--fps", options->fps, "frames a second")
+        ->check(CLI::Range(1e-3, 1e6))
+        ->capture_default_str();
     command->callback([options] { render(*options); });
 }
 

@@ -22,7 +22,7 @@ struct Picture {
     std::vector<float> rgb;
 };
 
-/// 8-bit sRGB of a picture: exposure in stops, then Reinhard's curve on luminance.
+/// 8-bit sRGB of a picture: exposure in stops, then Reinhard's curve on luminance, dithered.
 std::vector<std::uint8_t> toneMapped(const Picture& picture, double exposure);
 
 /// Receivers lit by their caustic maps, through the water surface as the scene's camera sees it.

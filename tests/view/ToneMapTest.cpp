@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <limits>
 
 #include <gtest/gtest.h>
@@ -23,6 +24,13 @@ TEST(ToneMap, runsFromBlackToWhite) {
 
 TEST(ToneMap, exposureIsInStops) {
     EXPECT_EQ(shown(0.25f, 2), shown(1));
+}
+
+TEST(ToneMap, dithersToTheMean) {
+    Picture picture{{64, 64}, std::vector<float>(3 * 64 * 64, 0.1f)};
+    const auto rgb = toneMapped(picture, 0);
+    const auto [low, high] = std::minmax_element(rgb.begin(), rgb.end());
+    EXPECT_EQ(*high - *low, 1) << "two neighbouring steps, mixed";
 }
 
 TEST(ToneMap, keepsHue) {

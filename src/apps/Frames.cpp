@@ -1,0 +1,119 @@
+#include "apps/Frames.h"
+
+#include <charconv>
+#include <csignal>
+#include <cstdlib>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "core/Error.h"
+
+namespace limpid::apps {
+
+namespace {
+
+bool parseNumber(std::string_view text, int& value) {
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    return error == std::errc() && end == text.data() + text.size() && value >= 0 && value <= 9999999;
+}
+
+bool onPath(const std::string& program) {
+    const char* path = std::getenv("PATH");
+    std::string_view rest = path ? path : "";
+    while (!rest.empty()) {
+        const std::string_view folder = rest.substr(0, rest.find(':'));
+        if (access(fmt::format("{}/{}", folder, program).c_str(), X_OK) == 0) return true;
+        rest.remove_prefix(std::min(rest.size(), folder.size() + 1));
+    }
+    return false;
+}
+
+} // namespace
+
+FrameRange parseFrames(const std::string& text) {
+    FrameRange range;
+    const std::size_t dots = text.find("..");
+    if (dots != std::string::npos && parseNumber(std::string_view(text).substr(0, dots), range.first) &&
+        parseNumber(std::string_view(text).substr(dots + 2), range.last) && range.first <= range.last)
+        return range;
+    throw InputError(fmt::format("--frames: expected A..B with 0 <= A <= B <= 9999999, found \"{}\"", text));
+}
+
+std::filesystem::path frameName(const std::string& pattern, int number) {
+    const std::size_t percent = pattern.find('%');
+    std::size_t end = percent == std::string::npos ? percent : percent + 1;
+    while (end < pattern.size() && pattern[end] >= '0' && pattern[end] <= '9')
+        ++end;
+    const bool one =
+        end < pattern.size() && pattern[end] == 'd' && pattern.find('%', end) == std::string::npos;
+    const std::string digits = one ? pattern.substr(percent + 1, end - percent - 1) : "";
+    if (!one || digits.size() > 2 || (!digits.empty() && digits[0] != '0'))
+        throw InputError(fmt::format("{}: expected one %04d for the frame's number, found {}", pattern,
+                                     percent == std::string::npos ? "none" : "another pattern"));
+    const int width = digits.empty() ? 1 : std::atoi(digits.c_str());
+    return fmt::format("{}{:0{}}{}", pattern.substr(0, percent), number, width, pattern.substr(end + 1));
+}
+
+bool isVideo(const std::filesystem::path& file) {
+    const auto suffix = file.extension();
+    return suffix == ".mp4" || suffix == ".mkv" || suffix == ".webm";
+}
+
+VideoWriter::VideoWriter(const std::filesystem::path& file, glm::ivec2 size, double fps)
+    : _file(file), _frameBytes(std::size_t(size.x) * std::size_t(size.y) * 3) {
+    if (!onPath("ffmpeg"))
+        throw InputError(fmt::format("{}: expected ffmpeg to write a video with, found none on the path; "
+                                     "a name with %04d and .png gives pictures",
+                                     file.string()));
+    _partial = file.parent_path() /
+               fmt::format("{}.partial-{}{}", file.stem().string(), getpid(), file.extension().string());
+    const std::string resolution = fmt::format("{}x{}", size.x, size.y), rate = fmt::format("{}", fps);
+    int ends[2];
+    if (pipe2(ends, O_CLOEXEC) != 0) throw InputError(fmt::format("{}: cannot start ffmpeg", file.string()));
+    std::signal(SIGPIPE, SIG_IGN); // ffmpeg's end is noticed by the write that fails
+    _process = fork();
+    if (_process == 0) {
+        dup2(ends[0], STDIN_FILENO);
+        // yuv420p, which players expect, needs even sizes.
+        execlp("ffmpeg", "ffmpeg", "-y", "-loglevel", "error", "-f", "rawvideo", "-pix_fmt", "rgb24", "-s",
+               resolution.c_str(), "-r", rate.c_str(), "-i", "-", "-vf", "crop=trunc(iw/2)*2:trunc(ih/2)*2",
+               "-pix_fmt", "yuv420p", _partial.c_str(), static_cast<char*>(nullptr));
+        _exit(127);
+    }
+    close(ends[0]);
+    _pipe = ends[1];
+}
+
+VideoWriter::~VideoWriter() {
+    if (_pipe < 0) return;
+    close(_pipe);
+    waitpid(_process, nullptr, 0);
+    std::error_code ignored;
+    std::filesystem::remove(_partial, ignored);
+}
+
+void VideoWriter::add(const std::uint8_t* rgb) {
+    for (std::size_t sent = 0; sent < _frameBytes;) {
+        const ssize_t bytes = write(_pipe, rgb + sent, _frameBytes - sent);
+        if (bytes <= 0) throw InputError(fmt::format("{}: cannot write: ffmpeg gave up", _file.string()));
+        sent += std::size_t(bytes);
+    }
+}
+
+void VideoWriter::finish() {
+    close(_pipe);
+    _pipe = -1;
+    int status = 0;
+    waitpid(_process, &status, 0);
+    std::error_code error;
+    if (status == 0) std::filesystem::rename(_partial, _file, error);
+    if (status == 0 && !error) return;
+    std::filesystem::remove(_partial, error);
+    throw InputError(fmt::format("{}: cannot write: ffmpeg ended with status {}", _file.string(),
+                                 WIFEXITED(status) ? WEXITSTATUS(status) : -1));
+}
+
+} // namespace limpid::apps

@@ -1,0 +1,47 @@
+#pragma once
+#include <filesystem>
+#include <string>
+
+#include <glm/glm.hpp>
+
+namespace limpid::apps {
+
+/// The frames of `--frames A..B`, both included.
+struct FrameRange {
+    int first = 0;
+    int last = 0;
+
+    int count() const { return last - first + 1; }
+};
+
+/// Throws InputError unless `text` is A..B with 0 <= A <= B <= 9,999,999.
+FrameRange parseFrames(const std::string& text);
+
+/// The name of frame `number`: its `%d` or `%04d` replaced. Throws InputError unless there is exactly one.
+std::filesystem::path frameName(const std::string& pattern, int number);
+
+/// Whether the name asks for a video (.mp4, .mkv, .webm) in place of pictures.
+bool isVideo(const std::filesystem::path& file);
+
+/// Pictures on their way into ffmpeg. The video appears whole or not at all.
+class VideoWriter {
+  public:
+    /// Throws InputError if ffmpeg is not there.
+    VideoWriter(const std::filesystem::path& file, glm::ivec2 size, double fps);
+    ~VideoWriter();
+    VideoWriter(const VideoWriter&) = delete;
+    VideoWriter& operator=(const VideoWriter&) = delete;
+
+    /// `rgb`: 8-bit sRGB, width · height · 3 bytes. Throws InputError if ffmpeg has given up.
+    void add(const std::uint8_t* rgb);
+    /// Waits for ffmpeg and gives the video its name. Throws InputError if it failed.
+    void finish();
+
+  private:
+    std::filesystem::path _file, _partial;
+    std::size_t _frameBytes;
+    int _pipe = -1;
+    int _process = -1;
+};
+
+} // namespace limpid::apps
