@@ -3,6 +3,7 @@
 // In: indices, beam origins and directions. Out: a ray: landing point (m from the scene's origin), w = number of
 // the receiver, -1 for a ray that passes all of them, -2 for one that lands in what the mean light leaves dark.
 #include "include/scene_depth.glsl"
+#include "include/triangle.glsl"
 layout(local_size_x = 64) in;
 layout(std430, binding = 0) readonly buffer Indices { uint indices[]; };
 layout(std430, binding = 3) readonly buffer BeamOrigins { vec4 origins[]; };
@@ -16,13 +17,6 @@ layout(location = 3) uniform float farthest; // m of water below which nothing l
 const int steps = 96;
 const int halvings = 14;
 const float nothing = 1e29;
-
-// Evenly spread points of a triangle: the R2 sequence (Roberts 2018), folded at the diagonal.
-vec3 barycentric(int i) {
-    vec2 r = fract(0.5 + float(i) * vec2(0.7548776662466927, 0.5698402909980532));
-    if (r.x + r.y > 1.0) r = 1.0 - r;
-    return vec3(1.0 - r.x - r.y, r);
-}
 
 // x: metres that the point lies before what the mean light through it hits first; y: metres to that hit.
 vec2 beforeFirst(vec3 point) {
@@ -69,7 +63,7 @@ void main() {
     int ray = int(gl_GlobalInvocationID.y * gl_NumWorkGroups.x * gl_WorkGroupSize.x + gl_GlobalInvocationID.x);
     if (ray >= rayCount) return;
     int triangle = firstTriangle + ray / raysPerBeam;
-    vec3 weight = barycentric(ray % raysPerBeam);
+    vec3 weight = trianglePoint(ray % raysPerBeam);
     vec3 from = vec3(0.0), direction = vec3(0.0);
     for (int i = 0; i < 3; ++i) {
         uint vertex = indices[3 * triangle + i];

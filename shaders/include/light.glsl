@@ -6,6 +6,7 @@ layout(std140, binding = 0) uniform LightFrame {
     vec4 lightRefracted;  // directional: unit, the same below flat water
     vec4 sceneDepthRect;  // what the scene depth map covers of the flat surface: x, z of its corner, extents, m
     vec4 waterSurface;    // level m; index of refraction
+    vec4 surfaceShadowRect; // what the surface shadow map covers of it, likewise; extent 0: nothing is above the water
 };
 
 bool isPointLight() { return lightPosition.w > 0.5; }

@@ -2,14 +2,17 @@
 layout(location = 0) in vec3 inPosition; // m from the scene's origin
 layout(location = 1) in vec3 inNormal;
 layout(location = 2) in vec2 inUv;
+layout(location = 3) in vec4 inColor; // linear
 out VertexData {
     vec3 position;
     vec3 normal;
     vec2 uv;
+    vec4 color;
 } vertexOut;
 
 void passVertex() {
     vertexOut.position = inPosition;
     vertexOut.normal = inNormal;
     vertexOut.uv = inUv;
+    vertexOut.color = inColor;
 }

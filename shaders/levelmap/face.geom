@@ -6,11 +6,13 @@ in VertexData {
     vec3 position; // m from the scene's origin
     vec3 normal;   // shading
     vec2 uv;
+    vec4 color;
 } vertexIn[];
 out FragmentData {
     vec3 position;
     vec3 normal;
     vec2 uv;
+    vec4 color;
     flat vec3 faceNormal; // unit, by the winding
     flat vec3 facePoint;  // a corner: a point of the face's plane
 } vertexOut;
@@ -25,6 +27,7 @@ void main() {
         vertexOut.position = vertexIn[i].position;
         vertexOut.normal = vertexIn[i].normal;
         vertexOut.uv = vertexIn[i].uv;
+        vertexOut.color = vertexIn[i].color;
         vertexOut.faceNormal = area / size;
         vertexOut.facePoint = a;
         EmitVertex();

@@ -16,7 +16,7 @@ layout(location = 2) out vec2 outNormal;
 
 void main() {
     vec3 position = fragmentIn.position;
-    if (position.y > waterSurface.x) discard;
+    if (position.y > waterSurface.x || isHole()) discard;
     vec3 normal = fragmentIn.faceNormal;
     if (dot(normal, boxT.xyz) > 0.0) normal = -normal;
     float depth = boxLocal(position).z;

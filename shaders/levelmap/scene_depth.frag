@@ -8,7 +8,7 @@ layout(location = 3) uniform ivec2 mapSize;
 layout(location = 0) out vec2 outDepth;
 
 void main() {
-    if (fragmentIn.position.y > waterSurface.x) discard;
+    if (fragmentIn.position.y > waterSurface.x || isHole()) discard;
     vec3 entry = sceneDepthEntry(gl_FragCoord.xy / vec2(mapSize));
     vec3 direction = meanDirection(entry);
     float interpolated = dot(fragmentIn.position - entry, direction);

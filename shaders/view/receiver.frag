@@ -5,16 +5,37 @@
 #include "include/box.glsl"
 #include "include/view.glsl"
 #include "include/receiver_fragment.glsl"
+#include "include/surface_shadow.glsl"
 layout(binding = 1) uniform sampler2D castMap;
 layout(location = 0) uniform int underwater;
 layout(location = 1) uniform int withAmbient;  // once for each receiver
 layout(location = 2) uniform int withCaustics; // castMap and BoxFrame are bound
-layout(location = 3) uniform vec3 directIrradiance; // above the water: W/m² facing the light
-layout(location = 4) uniform vec3 directDirection;  // unit, the way that light travels
+layout(location = 3) uniform vec3 strength;    // of a light that comes straight, W/m² or W/sr; LightFrame is bound
 layout(location = 0) out vec4 outRadiance;
 layout(location = 1) out vec4 outPosition;
 
+layout(binding = 4) uniform sampler2D normalTexture; // tangent space, glTF
+
 const float pi = 3.14159265358979;
+
+// Interpolated normal, turned by the normal map. Tangents come from how position and uv change over the screen
+// (Mikkelsen 2010), which needs none in the file.
+vec3 shadingNormal(vec3 face) {
+    vec3 normal = length(fragmentIn.normal) > 0.0 ? normalize(fragmentIn.normal) : face;
+    if (dot(normal, face) < 0.0) normal = -normal;
+    vec3 px = dFdx(fragmentIn.position), py = dFdy(fragmentIn.position);
+    vec2 tx = dFdx(fragmentIn.uv), ty = dFdy(fragmentIn.uv);
+    vec3 acrossX = cross(py, normal), acrossY = cross(normal, px);
+    float orientation = sign(dot(px, acrossX));
+    vec3 tangent = (acrossX * tx.x + acrossY * ty.x) * orientation;
+    vec3 bitangent = (acrossX * tx.y + acrossY * ty.y) * orientation;
+    float size = max(dot(tangent, tangent), dot(bitangent, bitangent));
+    if (normalScale == 0.0 || !(size > 0.0)) return normal;
+    vec3 mapped = 2.0 * texture(normalTexture, fragmentIn.uv).xyz - 1.0;
+    // glTF's v runs down the picture, its bitangent up.
+    vec3 turned = (tangent * mapped.x - bitangent * mapped.y) * (normalScale / sqrt(size)) + normal * mapped.z;
+    return dot(turned, turned) > 0.0 ? normalize(turned) : normal;
+}
 
 // Irradiance at this point from the four nearest texels that show the same surface, W/m².
 vec3 castIrradiance(vec3 faceNormal) {
@@ -40,14 +61,25 @@ vec3 castIrradiance(vec3 faceNormal) {
     return weights > 0.25 * all ? sum / weights : sum;
 }
 
+// Irradiance by a light that crosses no surface on its way, W/m².
+vec3 straightIrradiance(vec3 normal) {
+    vec3 position = fragmentIn.position;
+    vec3 direction = incidentDirection(position);
+    float metres = isPointLight() ? distance(position, lightPosition.xyz) : 0.0;
+    vec3 arriving = strength * (isPointLight() ? 1.0 / max(metres * metres, 1e-12) : 1.0);
+    if (underwater != 0) arriving *= extinction(waterExtinction.rgb, metres);
+    float footprint = max(surfaceShadowRect.z, surfaceShadowRect.w) / float(textureSize(surfaceShadow, 0).x);
+    float lit = underwater != 0 ? 1.0 : surfaceVisibility(position, 6.0 * footprint);
+    return arriving * lit * max(-dot(normal, direction), 0.0);
+}
+
 void main() {
     vec3 position = fragmentIn.position;
-    if (underwater != 0 ? position.y > viewWater.x : position.y < viewWater.x) discard;
+    if (isHole() || (underwater != 0 ? position.y > viewWater.x : position.y < viewWater.x)) discard;
     vec3 seenAt = underwater != 0 && cameraAbove() ? viewCrossing(position) : cameraPosition.xyz;
     vec3 view = seenAt - position;
     vec3 face = fragmentIn.faceNormal;
-    vec3 shading = length(fragmentIn.normal) > 0.0 ? normalize(fragmentIn.normal) : face;
-    if (dot(shading, face) < 0.0) shading = -shading;
+    vec3 shading = shadingNormal(face);
 
     vec3 irradiance = vec3(0.0);
     if (withCaustics != 0) {
@@ -58,7 +90,7 @@ void main() {
         float smoothing = clamp(-dot(shading, boxT.xyz) / (sign(facing) * max(abs(facing), 0.05)), 0.0, 1.5);
         if (lit) irradiance = castIrradiance(face) * smoothing;
     }
-    irradiance += directIrradiance * max(-dot(shading, directDirection), 0.0);
+    if (strength != vec3(0.0)) irradiance += straightIrradiance(shading);
     vec3 albedo = baseColor().rgb;
     vec3 radiance = albedo / pi * irradiance + (withAmbient != 0 ? albedo * ambientRadiance.rgb : vec3(0.0));
     outRadiance = vec4(radiance, 1.0);

@@ -6,11 +6,13 @@ in VertexData {
     vec3 position;
     vec3 normal;
     vec2 uv;
+    vec4 color;
 } vertexIn[];
 out ControlData {
     vec3 position;
     vec3 normal;
     vec2 uv;
+    vec4 color;
 } controlOut[];
 
 float pieces(vec3 a, vec3 b) {
@@ -22,6 +24,7 @@ void main() {
     controlOut[gl_InvocationID].position = vertexIn[gl_InvocationID].position;
     controlOut[gl_InvocationID].normal = vertexIn[gl_InvocationID].normal;
     controlOut[gl_InvocationID].uv = vertexIn[gl_InvocationID].uv;
+    controlOut[gl_InvocationID].color = vertexIn[gl_InvocationID].color;
     if (gl_InvocationID != 0) return;
     vec3 a = vertexIn[0].position, b = vertexIn[1].position, c = vertexIn[2].position;
     gl_TessLevelOuter[0] = pieces(b, c);

@@ -7,11 +7,13 @@ in ControlData {
     vec3 position;
     vec3 normal;
     vec2 uv;
+    vec4 color;
 } controlIn[];
 out VertexData {
     vec3 position;
     vec3 normal;
     vec2 uv;
+    vec4 color;
 } vertexOut;
 
 void main() {
@@ -19,5 +21,6 @@ void main() {
     vertexOut.position = w.x * controlIn[0].position + w.y * controlIn[1].position + w.z * controlIn[2].position;
     vertexOut.normal = w.x * controlIn[0].normal + w.y * controlIn[1].normal + w.z * controlIn[2].normal;
     vertexOut.uv = w.x * controlIn[0].uv + w.y * controlIn[1].uv + w.z * controlIn[2].uv;
+    vertexOut.color = w.x * controlIn[0].color + w.y * controlIn[1].color + w.z * controlIn[2].color;
     gl_Position = underwater != 0 ? underwaterClip(vertexOut.position) : viewProjection * vec4(vertexOut.position, 1.0);
 }

@@ -1,12 +1,15 @@
 // What each water triangle takes from the light, after Fresnel: in m² for a directional light (W per W/m²), in sr
 // for a point light (W per W/sr). Flux goes by the triangle's own face; the vertex normals only bend the rays.
 // In: vertex indices, beam origins. Out: one float a triangle.
-#include "include/light.glsl"
+#include "include/surface_shadow.glsl"
+#include "include/triangle.glsl"
 layout(local_size_x = 64) in;
 layout(std430, binding = 0) readonly buffer Indices { uint indices[]; };
 layout(std430, binding = 3) readonly buffer BeamOrigins { vec4 origins[]; };
 layout(std430, binding = 5) writeonly buffer BeamFlux { float flux[]; };
 layout(location = 0) uniform int triangleCount;
+
+const int samples = 8; // of what things above the water leave of a triangle
 
 // Solid angle of a triangle seen from the origin, sr (van Oosterom and Strackee 1983); negative from behind.
 float solidAngle(vec3 a, vec3 b, vec3 c) {
@@ -28,5 +31,13 @@ void main() {
     } else {
         seen = -0.5 * dot(cross(b.xyz - a.xyz, c.xyz - a.xyz), lightDirection.xyz);
     }
-    flux[index] = max(seen, 0.0) * (a.w + b.w + c.w) / 3.0;
+    float lit = 1.0;
+    if (surfaceShadowRect.z > 0.0 && seen > 0.0) {
+        lit = 0.0;
+        for (int i = 0; i < samples; ++i) {
+            vec3 w = trianglePoint(i);
+            lit += surfaceVisibility(w.x * a.xyz + w.y * b.xyz + w.z * c.xyz, 0.0) / float(samples);
+        }
+    }
+    flux[index] = lit * max(seen, 0.0) * (a.w + b.w + c.w) / 3.0;
 }

@@ -38,7 +38,8 @@ glm::ivec2 sceneDepthSize(const glm::vec4& rect, int mapSize) {
 
 Engine::Engine(gl::Context& context)
     : _context(context), _surface(context), _beamTracer(context), _sceneDepthPass(context),
-      _levelMapPass(context), _smartSlicing(context), _drawnPlanes(context), _fluxAudit(context) {}
+      _surfaceShadowPass(context), _levelMapPass(context), _smartSlicing(context), _drawnPlanes(context),
+      _fluxAudit(context) {}
 
 void Engine::setScene(Scene scene) {
     _scene = std::move(scene);
@@ -47,9 +48,12 @@ void Engine::setScene(Scene scene) {
     _patch = coveringPatch(_scene);
     _receivers.clear();
     _submerged.clear();
+    _dry.clear();
     for (const Receiver& receiver : _scene.receivers) {
         _receivers.emplace_back(_context, receiver, _origin);
-        _submerged.push_back(submergedPoints(receiver, _scene.water.level));
+        _submerged.push_back(pointsOfSide(receiver, _scene.water.level, Side::Below));
+        const auto above = pointsOfSide(receiver, _scene.water.level, Side::Above);
+        _dry.insert(_dry.end(), above.begin(), above.end());
     }
     _lights.clear();
     _lights.resize(_scene.lights.size());
@@ -91,9 +95,16 @@ void Engine::updateLight(int index) {
         frame.sceneDepthRect = sceneDepthRect(light, _scene.water, points, _origin);
         state.farthest = farthestWater(light, _scene.water, points);
     }
+    frame.surfaceShadowRect = surfaceShadowRect(light, _scene.water, _patch, _dry, _origin);
+    const bool shaded = frame.surfaceShadowRect.z > 0;
+    _beamTracer.prepare(state.beams, _surface.mesh(), light, _scene.water, frame);
+    if (shaded) {
+        Scope scope(_timers, "surface shadow");
+        _surfaceShadowPass.draw(state.surfaceShadow, state.beams, _receivers);
+    }
     {
         Scope scope(_timers, "beams");
-        _beamTracer.trace(state.beams, _surface.mesh(), light, _scene.water, frame);
+        _beamTracer.trace(state.beams, _surface.mesh(), shaded ? &state.surfaceShadow : nullptr);
     }
     state.sceneDepth = {};
     if (needsSceneDepth(light)) drawSceneDepth(index);
@@ -149,7 +160,10 @@ Picture Engine::render(double time, glm::ivec2 size) {
     std::vector<PicturePass::Lit> lit;
     for (const ReceiverMaps& maps : _maps)
         lit.push_back({maps.receiver, &maps.level, &maps.caustics});
-    return _picturePass->draw({_scene, _origin, _patch, _surface.mesh(), _receivers, lit}, size);
+    std::vector<PicturePass::Shine> lights;
+    for (const LightState& state : _lights)
+        lights.push_back({&state.beams, state.surfaceShadow.id() ? &state.surfaceShadow : nullptr});
+    return _picturePass->draw({_scene, _origin, _patch, _surface.mesh(), _receivers, lit, lights}, size);
 }
 
 } // namespace limpid

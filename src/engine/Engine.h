@@ -11,6 +11,7 @@
 #include "levelmap/LevelMap.h"
 #include "levelmap/ReceiverGeometry.h"
 #include "levelmap/SceneDepthMap.h"
+#include "levelmap/SurfaceShadow.h"
 #include "scene/Scene.h"
 #include "view/Picture.h"
 #include "water/Beams.h"
@@ -22,7 +23,8 @@ namespace limpid {
 struct LightState {
     Beams beams;
     gl::Texture sceneDepth;
-    double farthest = 1; ///< m of water to the farthest receiver, at most
+    gl::Texture surfaceShadow; ///< empty if nothing stands out of the water
+    double farthest = 1;       ///< m of water to the farthest receiver, at most
 };
 
 /// The maps of one receiver and one light.
@@ -76,6 +78,7 @@ class Engine {
     WaterSurface _surface;
     BeamTracer _beamTracer;
     SceneDepthPass _sceneDepthPass;
+    SurfaceShadowPass _surfaceShadowPass;
     LevelMapPass _levelMapPass;
     SmartSlicing _smartSlicing;
     DrawnPlanes _drawnPlanes;
@@ -88,6 +91,7 @@ class Engine {
     WaterPatch _patch;
     std::vector<ReceiverGeometry> _receivers;
     std::vector<std::vector<glm::dvec3>> _submerged; ///< of each receiver, in the world
+    std::vector<glm::dvec3> _dry;                    ///< what stands out of the water, in the world
     std::vector<LightState> _lights;
     std::vector<ReceiverMaps> _maps;
 };

@@ -81,12 +81,29 @@ void Buffer::swap(Buffer& other) noexcept {
     std::swap(_ledger, other._ledger);
 }
 
-Texture::Texture(Ledger& ledger, std::string kind, GLenum internalFormat, glm::ivec2 size)
-    : _format(internalFormat), _size(size),
-      _bytes(std::int64_t(size.x) * size.y * bytesPerTexel(internalFormat)), _kind(std::move(kind)),
-      _ledger(&ledger) {
+namespace {
+
+int levelsOf(glm::ivec2 size, Mipmaps mipmaps) {
+    int levels = 1;
+    for (int side = std::max(size.x, size.y); mipmaps == Mipmaps::Full && side > 1; side /= 2)
+        ++levels;
+    return levels;
+}
+
+std::int64_t textureBytes(glm::ivec2 size, int levels, GLenum format) {
+    std::int64_t texels = 0;
+    for (int i = 0; i < levels; ++i)
+        texels += std::int64_t(std::max(size.x >> i, 1)) * std::max(size.y >> i, 1);
+    return texels * bytesPerTexel(format);
+}
+
+} // namespace
+
+Texture::Texture(Ledger& ledger, std::string kind, GLenum internalFormat, glm::ivec2 size, Mipmaps mipmaps)
+    : _format(internalFormat), _size(size), _levels(levelsOf(size, mipmaps)),
+      _bytes(textureBytes(size, _levels, internalFormat)), _kind(std::move(kind)), _ledger(&ledger) {
     glCreateTextures(GL_TEXTURE_2D, 1, &_id);
-    glTextureStorage2D(_id, 1, internalFormat, size.x, size.y);
+    glTextureStorage2D(_id, _levels, internalFormat, size.x, size.y);
     setFilter(GL_NEAREST, GL_CLAMP_TO_EDGE);
     glObjectLabel(GL_TEXTURE, _id, -1, _kind.c_str());
     checkAllocation(_kind, _bytes);
@@ -96,10 +113,12 @@ Texture::Texture(Ledger& ledger, std::string kind, GLenum internalFormat, glm::i
 void Texture::upload(GLenum format, GLenum type, const void* data) {
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     glTextureSubImage2D(_id, 0, 0, 0, _size.x, _size.y, format, type, data);
+    if (_levels > 1) glGenerateTextureMipmap(_id);
 }
 
 void Texture::setFilter(GLenum filter, GLenum wrap) {
-    glTextureParameteri(_id, GL_TEXTURE_MIN_FILTER, GLint(filter));
+    const GLenum smaller = _levels > 1 && filter == GL_LINEAR ? GL_LINEAR_MIPMAP_LINEAR : filter;
+    glTextureParameteri(_id, GL_TEXTURE_MIN_FILTER, GLint(smaller));
     glTextureParameteri(_id, GL_TEXTURE_MAG_FILTER, GLint(filter));
     glTextureParameteri(_id, GL_TEXTURE_WRAP_S, GLint(wrap));
     glTextureParameteri(_id, GL_TEXTURE_WRAP_T, GLint(wrap));
@@ -124,6 +143,7 @@ void Texture::swap(Texture& other) noexcept {
     std::swap(_id, other._id);
     std::swap(_format, other._format);
     std::swap(_size, other._size);
+    std::swap(_levels, other._levels);
     std::swap(_bytes, other._bytes);
     std::swap(_kind, other._kind);
     std::swap(_ledger, other._ledger);
@@ -165,6 +185,13 @@ void Framebuffer::clearDepth(float value) const {
 void VertexArray::attribute(GLuint index, const Buffer& buffer, int components, int offset, int stride) {
     glEnableVertexArrayAttrib(_id, index);
     glVertexArrayAttribFormat(_id, index, components, GL_FLOAT, GL_FALSE, GLuint(offset));
+    glVertexArrayAttribBinding(_id, index, index);
+    glVertexArrayVertexBuffer(_id, index, buffer.id(), 0, stride);
+}
+
+void VertexArray::byteAttribute(GLuint index, const Buffer& buffer, int offset, int stride) {
+    glEnableVertexArrayAttrib(_id, index);
+    glVertexArrayAttribFormat(_id, index, 4, GL_UNSIGNED_BYTE, GL_TRUE, GLuint(offset));
     glVertexArrayAttribBinding(_id, index, index);
     glVertexArrayVertexBuffer(_id, index, buffer.id(), 0, stride);
 }

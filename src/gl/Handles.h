@@ -56,11 +56,14 @@ class Buffer {
     Ledger* _ledger = nullptr;
 };
 
-/// A two-dimensional texture with one level.
+enum class Mipmaps { None, Full };
+
+/// A two-dimensional texture.
 class Texture {
   public:
     Texture() = default;
-    Texture(Ledger& ledger, std::string kind, GLenum internalFormat, glm::ivec2 size);
+    Texture(Ledger& ledger, std::string kind, GLenum internalFormat, glm::ivec2 size,
+            Mipmaps mipmaps = Mipmaps::None);
     ~Texture() { reset(); }
     Texture(Texture&& other) noexcept { swap(other); }
     Texture& operator=(Texture&& other) noexcept {
@@ -76,6 +79,7 @@ class Texture {
     void bindImage(GLuint unit, GLenum access) const {
         glBindImageTexture(unit, _id, 0, GL_FALSE, 0, access, _format);
     }
+    /// Fills the texture; its smaller levels follow.
     void upload(GLenum format, GLenum type, const void* data);
     void setFilter(GLenum filter, GLenum wrap);
     /// Waits for the GPU and returns width · height · channels floats, row 0 first; `format` says the
@@ -88,6 +92,7 @@ class Texture {
     GLuint _id = 0;
     GLenum _format = 0;
     glm::ivec2 _size{0};
+    int _levels = 1;
     std::int64_t _bytes = 0;
     std::string _kind;
     Ledger* _ledger = nullptr;
@@ -135,6 +140,8 @@ class VertexArray {
     void bind() const { glBindVertexArray(_id); }
     /// Attribute `index` has `components` floats at `offset` in a vertex of `stride` bytes of `buffer`.
     void attribute(GLuint index, const Buffer& buffer, int components, int offset, int stride);
+    /// Attribute `index` has four bytes, [0, 255] read as [0, 1].
+    void byteAttribute(GLuint index, const Buffer& buffer, int offset, int stride);
     void indices(const Buffer& buffer) { glVertexArrayElementBuffer(_id, buffer.id()); }
 
   private:

@@ -8,8 +8,44 @@ namespace {
 struct Vertex {
     glm::vec3 position, normal;
     glm::vec2 uv;
+    glm::u8vec4 color;
 };
-constexpr GLint baseColorFactorLocation = 16;
+enum MaterialUniform { BaseColorFactor = 16, AlphaCutoff = 17, NormalScale = 18 };
+constexpr GLuint baseColorUnit = 0, normalMapUnit = 4;
+
+/// A blended surface takes light and hides what is behind it where it is more there than not.
+float alphaCutoff(const Material& material) {
+    switch (material.alphaMode) {
+    case AlphaMode::Opaque:
+        return 0;
+    case AlphaMode::Mask:
+        return material.alphaCutoff;
+    case AlphaMode::Blend:
+        return 0.5f;
+    }
+    return 0;
+}
+
+GLenum wrapOf(Wrap wrap) {
+    switch (wrap) {
+    case Wrap::Repeat:
+        return GL_REPEAT;
+    case Wrap::Mirror:
+        return GL_MIRRORED_REPEAT;
+    case Wrap::Clamp:
+        return GL_CLAMP_TO_EDGE;
+    }
+    return GL_REPEAT;
+}
+
+/// A texture is shared by materials; how it is read is each material's own.
+void bindTexture(const gl::Texture& texture, GLuint unit, const Material& material) {
+    texture.bind(unit);
+    glTextureParameteri(texture.id(), GL_TEXTURE_WRAP_S, GLint(wrapOf(material.baseColorWrapS)));
+    glTextureParameteri(texture.id(), GL_TEXTURE_WRAP_T, GLint(wrapOf(material.baseColorWrapT)));
+    glTextureParameteri(texture.id(), GL_TEXTURE_MAG_FILTER,
+                        material.baseColorNearest ? GL_NEAREST : GL_LINEAR);
+}
 
 std::vector<Vertex> worldVertices(const Receiver& receiver, const glm::dvec3& origin) {
     const Mesh& mesh = *receiver.mesh;
@@ -18,7 +54,10 @@ std::vector<Vertex> worldVertices(const Receiver& receiver, const glm::dvec3& or
         const glm::dvec3 normal = receiver.rotation * (glm::dvec3(mesh.normals[i]) / receiver.scale);
         const double length = glm::length(normal);
         vertices[i] = {glm::vec3(receiver.toWorld(mesh.positions[i]) - origin),
-                       length > 0 ? glm::vec3(normal / length) : glm::vec3(0, 1, 0), mesh.uvs[i]};
+                       length > 0 ? glm::vec3(normal / length) : glm::vec3(0, 1, 0), mesh.uvs[i],
+                       mesh.colors.empty()
+                           ? glm::u8vec4(255)
+                           : glm::u8vec4(glm::round(glm::clamp(mesh.colors[i], 0.0f, 1.0f) * 255.0f))};
     }
     return vertices;
 }
@@ -33,14 +72,16 @@ ReceiverGeometry::ReceiverGeometry(gl::Context& context, const Receiver& receive
     _vertexArray.attribute(0, _vertices, 3, offsetof(Vertex, position), sizeof(Vertex));
     _vertexArray.attribute(1, _vertices, 3, offsetof(Vertex, normal), sizeof(Vertex));
     _vertexArray.attribute(2, _vertices, 2, offsetof(Vertex, uv), sizeof(Vertex));
+    _vertexArray.byteAttribute(3, _vertices, offsetof(Vertex, color), sizeof(Vertex));
     _vertexArray.indices(_indices);
     uploadImages(ledger, *receiver.mesh);
 }
 
 void ReceiverGeometry::uploadImages(gl::Ledger& ledger, const Mesh& mesh) {
     for (const Image& image : mesh.images) {
-        gl::Texture texture(ledger, "textures", GL_SRGB8_ALPHA8,
-                            {std::max(image.width, 1), std::max(image.height, 1)});
+        const GLenum format = image.srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8;
+        const glm::ivec2 size(std::max(image.width, 1), std::max(image.height, 1));
+        gl::Texture texture(ledger, "textures", format, size, gl::Mipmaps::Full);
         if (image.width > 0) texture.upload(GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
         texture.setFilter(GL_LINEAR, GL_REPEAT);
         _images.push_back(std::move(texture));
@@ -55,29 +96,34 @@ void ReceiverGeometry::draw(const gl::Program& program, GLenum primitive) const 
     _vertexArray.bind();
     for (const MeshPart& part : _parts) {
         const Material& material = _materials[std::size_t(part.material)];
-        program.set(baseColorFactorLocation, material.baseColor);
-        (material.baseColorImage >= 0 ? _images[std::size_t(material.baseColorImage)] : _white).bind(0);
+        program.set(BaseColorFactor, material.baseColor);
+        program.set(AlphaCutoff, alphaCutoff(material));
+        program.set(NormalScale, material.normalImage >= 0 ? material.normalScale : 0.0f);
+        bindTexture(material.baseColorImage >= 0 ? _images[std::size_t(material.baseColorImage)] : _white,
+                    baseColorUnit, material);
+        if (material.normalImage >= 0)
+            bindTexture(_images[std::size_t(material.normalImage)], normalMapUnit, material);
         glDrawElements(
             primitive, GLsizei(part.indexCount), GL_UNSIGNED_INT,
             reinterpret_cast<const void*>(std::uintptr_t(part.firstIndex) * sizeof(std::uint32_t)));
     }
 }
 
-std::vector<glm::dvec3> submergedPoints(const Receiver& receiver, double level) {
-    std::vector<glm::dvec3> world, wet;
+std::vector<glm::dvec3> pointsOfSide(const Receiver& receiver, double level, Side side) {
+    std::vector<glm::dvec3> world, kept;
     const Mesh& mesh = *receiver.mesh;
     for (const glm::dvec3& p : mesh.positions) {
         world.push_back(receiver.toWorld(p));
-        if (world.back().y <= level) wet.push_back(world.back());
+        if ((world.back().y <= level) == (side == Side::Below)) kept.push_back(world.back());
     }
-    if (wet.empty() || wet.size() == world.size()) return wet;
+    if (kept.empty() || kept.size() == world.size()) return kept;
     for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
         const std::size_t next = i % 3 == 2 ? i - 2 : i + 1;
         const glm::dvec3 &a = world[mesh.indices[i]], &b = world[mesh.indices[next]];
         if ((a.y <= level) == (b.y <= level)) continue;
-        wet.push_back(a + (b - a) * ((level - a.y) / (b.y - a.y)));
+        kept.push_back(a + (b - a) * ((level - a.y) / (b.y - a.y)));
     }
-    return wet;
+    return kept;
 }
 
 } // namespace limpid

@@ -17,7 +17,7 @@ class ReceiverGeometry {
   public:
     ReceiverGeometry(gl::Context& context, const Receiver& receiver, const glm::dvec3& origin);
 
-    /// Draws all triangles with the program in use, its material at uniform 16 and texture unit 0.
+    /// Draws all triangles; the material is what shaders/include/receiver_fragment.glsl takes.
     /// `primitive` is GL_TRIANGLES, or GL_PATCHES for a program that tessellates.
     void draw(const gl::Program& program, GLenum primitive = GL_TRIANGLES) const;
 
@@ -31,7 +31,10 @@ class ReceiverGeometry {
     std::vector<Material> _materials;
 };
 
-/// The corners of what lies below `level`: vertices, and where edges cross the level. Empty if nothing does.
-std::vector<glm::dvec3> submergedPoints(const Receiver& receiver, double level);
+enum class Side { Below, Above };
+
+/// The corners of what lies on one side of `level`: vertices, and where edges cross it. Empty if nothing
+/// does.
+std::vector<glm::dvec3> pointsOfSide(const Receiver& receiver, double level, Side side);
 
 } // namespace limpid

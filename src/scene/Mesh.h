@@ -7,17 +7,32 @@
 
 namespace limpid {
 
-/// An 8-bit picture: `rgba` holds width · height · 4 bytes, rows from the top, colours sRGB, alpha straight.
+/// An 8-bit picture: `rgba` holds width · height · 4 bytes, rows from the top, alpha straight.
 struct Image {
     int width = 0;
     int height = 0;
     std::vector<std::uint8_t> rgba;
+    bool srgb = true; ///< RGB are colours, sRGB encoded; otherwise they are data, such as a normal map
 };
+
+/// What a texture gives outside of [0, 1].
+enum class Wrap { Repeat, Mirror, Clamp };
+
+/// What alpha means: nothing; a hole below the material's cutoff; the share of the surface's own colour.
+enum class AlphaMode { Opaque, Mask, Blend };
 
 /// How a surface looks. Flux does not depend on it; the picture does.
 struct Material {
-    glm::vec4 baseColor{0.8f, 0.8f, 0.8f, 1.0f}; ///< linear RGB and alpha, multiplied with the texture
+    glm::vec4 baseColor{0.8f, 0.8f, 0.8f, 1.0f}; ///< linear RGB and alpha, times texture and vertex colour
     int baseColorImage = -1;                     ///< index into Mesh::images, -1 for none
+    Wrap baseColorWrapS = Wrap::Repeat;          ///< along u
+    Wrap baseColorWrapT = Wrap::Repeat;          ///< along v
+    bool baseColorNearest = false;               ///< magnified without interpolation
+    AlphaMode alphaMode = AlphaMode::Opaque;
+    float alphaCutoff = 0.5f; ///< AlphaMode::Mask: alpha below it is a hole
+    bool doubleSided = false; ///< whether the back shows too, with its normal turned round
+    int normalImage = -1;     ///< tangent-space normal map on the same uvs and wraps, -1 for none
+    float normalScale = 1;    ///< times x and y of the map's normals
 };
 
 /// A run of triangles that share a material.
@@ -28,12 +43,13 @@ struct MeshPart {
 };
 
 /// Triangles in the receiver's own space, metres, Y up, right-handed.
-/// `normals` (unit, shading) and `uvs` have the length of `positions`.
+/// `normals` (unit, shading) and `uvs` have the length of `positions`; `colors` too, or it is empty.
 /// Loaders guarantee: every index is in range, every number finite, at least one material.
 struct Mesh {
     std::vector<glm::dvec3> positions;
     std::vector<glm::vec3> normals;
     std::vector<glm::vec2> uvs;
+    std::vector<glm::vec4> colors; ///< linear RGB and alpha, times the material's; empty if all are white
     std::vector<std::uint32_t> indices;
     std::vector<MeshPart> parts;
     std::vector<Material> materials;

@@ -14,7 +14,8 @@ constexpr int supersampling = 2;          // samples a pixel and axis
 constexpr double underwaterMargin = 0.15; // of the view's half width: waves look past its edge
 constexpr glm::ivec2 groupSize{8, 8};
 constexpr GLuint viewBinding = 2;
-enum ReceiverUniform { Underwater, WithAmbient, WithCaustics, DirectIrradiance, DirectDirection };
+enum ReceiverUniform { Underwater, WithAmbient, WithCaustics, Strength };
+constexpr GLuint surfaceShadowUnit = 3;
 enum WaterUniform { Hole, PatchRect };
 enum ScreenUniform { TargetSize = 1 };
 
@@ -114,6 +115,33 @@ gl::Texture PicturePass::castMap(const Lit& lit) {
     return map;
 }
 
+void PicturePass::addCaustics(const Inputs& inputs, std::size_t receiver) {
+    _receiver.set(WithCaustics, 1);
+    for (const Lit& lit : inputs.lit) {
+        if (lit.receiver != int(receiver)) continue;
+        const gl::Texture cast = castMap(lit);
+        lit.level->box.bindUniform(1);
+        cast.bind(1);
+        inputs.receivers[receiver].draw(_receiver, GL_PATCHES);
+    }
+    _receiver.set(WithCaustics, 0);
+}
+
+/// What does not go through the surface: light on what stands out of the water, and lamps below it.
+void PicturePass::addDirectLight(const Inputs& inputs, std::size_t receiver, bool underwater) {
+    for (std::size_t i = 0; i < inputs.scene.lights.size(); ++i) {
+        const Light& light = inputs.scene.lights[i];
+        const bool sunken = light.type == LightType::Point && light.position.y < inputs.scene.water.level;
+        if (sunken != underwater) continue;
+        inputs.lights[i].beams->frame.bindUniform(0);
+        if (inputs.lights[i].surfaceShadow) inputs.lights[i].surfaceShadow->bind(surfaceShadowUnit);
+        _receiver.set(Strength,
+                      glm::vec3(light.type == LightType::Point ? light.intensity : light.irradiance));
+        inputs.receivers[receiver].draw(_receiver, GL_PATCHES);
+    }
+    _receiver.set(Strength, glm::vec3(0));
+}
+
 /// One pass for each receiver and light; the first brings the ambient light, the others add to it.
 void PicturePass::drawReceivers(const Inputs& inputs, const gl::Framebuffer& target, bool underwater) {
     target.bind();
@@ -121,31 +149,16 @@ void PicturePass::drawReceivers(const Inputs& inputs, const gl::Framebuffer& tar
     glDepthFunc(GL_LEQUAL);
     glPatchParameteri(GL_PATCH_VERTICES, 3);
     _receiver.set(Underwater, underwater ? 1 : 0);
+    _receiver.set(WithCaustics, 0);
+    _receiver.set(Strength, glm::vec3(0));
     glBlendFunci(0, GL_ONE, GL_ONE);
     for (std::size_t i = 0; i < inputs.receivers.size(); ++i) {
         _receiver.set(WithAmbient, 1);
-        _receiver.set(WithCaustics, 0);
-        _receiver.set(DirectIrradiance, glm::vec3(0));
         inputs.receivers[i].draw(_receiver, GL_PATCHES);
         _receiver.set(WithAmbient, 0);
         glEnablei(GL_BLEND, 0);
-        if (underwater) {
-            _receiver.set(WithCaustics, 1);
-            for (const Lit& lit : inputs.lit) {
-                if (lit.receiver != int(i)) continue;
-                const gl::Texture cast = castMap(lit);
-                lit.level->box.bindUniform(1);
-                cast.bind(1);
-                inputs.receivers[i].draw(_receiver, GL_PATCHES);
-            }
-        } else {
-            for (const Light& light : inputs.scene.lights) {
-                if (light.type != LightType::Directional) continue;
-                _receiver.set(DirectIrradiance, glm::vec3(light.irradiance));
-                _receiver.set(DirectDirection, glm::vec3(glm::normalize(light.direction)));
-                inputs.receivers[i].draw(_receiver, GL_PATCHES);
-            }
-        }
+        if (underwater) addCaustics(inputs, i);
+        addDirectLight(inputs, i, underwater);
         glDisablei(GL_BLEND, 0);
     }
     glDepthFunc(GL_LESS);

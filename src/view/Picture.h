@@ -11,6 +11,7 @@
 #include "levelmap/LevelMap.h"
 #include "levelmap/ReceiverGeometry.h"
 #include "scene/Scene.h"
+#include "water/Beams.h"
 #include "water/FlatWater.h"
 #include "water/WaterSurface.h"
 
@@ -35,6 +36,11 @@ class PicturePass {
         const LevelMap* level;
         const CausticMap* caustics;
     };
+    /// A light on what stands out of the water.
+    struct Shine {
+        const Beams* beams;               ///< for its frame
+        const gl::Texture* surfaceShadow; ///< null: nothing is in the shade of anything
+    };
     struct Inputs {
         const Scene& scene; ///< its camera's position and target are set
         const glm::dvec3& origin;
@@ -42,11 +48,14 @@ class PicturePass {
         const WaterMesh& surface;
         std::span<const ReceiverGeometry> receivers;
         std::span<const Lit> lit;
+        std::span<const Shine> lights; ///< in the scene's order
     };
     Picture draw(const Inputs& inputs, glm::ivec2 size);
 
   private:
     gl::Texture castMap(const Lit& lit);
+    void addCaustics(const Inputs& inputs, std::size_t receiver);
+    void addDirectLight(const Inputs& inputs, std::size_t receiver, bool underwater);
     void drawReceivers(const Inputs& inputs, const gl::Framebuffer& target, bool underwater);
     void drawWater(const Inputs& inputs);
     void drawGrid(const Inputs& inputs);

@@ -6,6 +6,7 @@ namespace limpid {
 
 namespace {
 constexpr int groupSize = 64;
+constexpr GLuint surfaceShadowUnit = 3;
 enum Uniform { Count };
 } // namespace
 
@@ -24,8 +25,8 @@ LightFrameData lightFrame(const Light& light, const Water& water, const glm::dve
 BeamTracer::BeamTracer(gl::Context& context)
     : _context(context), _rays({"water/beams.comp"}), _flux({"water/beam_flux.comp"}) {}
 
-void BeamTracer::trace(Beams& beams, const WaterMesh& surface, const Light& light, const Water& water,
-                       const LightFrameData& frame) {
+void BeamTracer::prepare(Beams& beams, const WaterMesh& surface, const Light& light, const Water& water,
+                         const LightFrameData& frame) {
     gl::Ledger& ledger = _context.ledger();
     if (beams.vertexCount != surface.vertexCount || beams.triangleCount != surface.triangleCount) {
         const auto bytes = std::int64_t(surface.vertexCount) * std::int64_t(sizeof(glm::vec4));
@@ -40,7 +41,9 @@ void BeamTracer::trace(Beams& beams, const WaterMesh& surface, const Light& ligh
     beams.rect = frame.sceneDepthRect;
     beams.strength = light.type == LightType::Directional ? light.irradiance : light.intensity;
     if (!entersWater(light, water)) beams.strength = glm::dvec3(0);
+}
 
+void BeamTracer::trace(Beams& beams, const WaterMesh& surface, const gl::Texture* surfaceShadow) {
     beams.frame.bindUniform(0);
     surface.indices.bindStorage(0);
     surface.positions.bindStorage(1);
@@ -48,6 +51,7 @@ void BeamTracer::trace(Beams& beams, const WaterMesh& surface, const Light& ligh
     beams.origins.bindStorage(3);
     beams.directions.bindStorage(4);
     beams.flux.bindStorage(5);
+    if (surfaceShadow) surfaceShadow->bind(surfaceShadowUnit);
     _rays.set(Count, beams.vertexCount);
     _rays.dispatch(beams.vertexCount, groupSize);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);

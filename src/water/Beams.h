@@ -15,6 +15,7 @@ struct LightFrameData {
     glm::vec4 refracted{0, -1, 0, 0};
     glm::vec4 sceneDepthRect{0, 0, 1, 1};
     glm::vec4 surface{0, 1.333, 0, 0};
+    glm::vec4 surfaceShadowRect{0};
 };
 LightFrameData lightFrame(const Light& light, const Water& water, const glm::dvec3& origin);
 
@@ -37,9 +38,12 @@ class BeamTracer {
   public:
     explicit BeamTracer(gl::Context& context);
 
-    /// Makes or reuses the buffers of `beams` and fills them. `sceneDepthRect` as in LightFrameData.
-    void trace(Beams& beams, const WaterMesh& surface, const Light& light, const Water& water,
-               const LightFrameData& frame);
+    /// Makes or reuses the buffers of `beams` for this light, and its frame.
+    void prepare(Beams& beams, const WaterMesh& surface, const Light& light, const Water& water,
+                 const LightFrameData& frame);
+    /// Fills them. `surfaceShadow`: what is dark of the surface (levelmap/SurfaceShadow.h), null if nothing
+    /// stands out of the water.
+    void trace(Beams& beams, const WaterMesh& surface, const gl::Texture* surfaceShadow);
 
   private:
     gl::Context& _context;

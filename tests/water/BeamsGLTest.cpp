@@ -26,7 +26,8 @@ class BeamsGLTest : public GLTest {
         surface.update(water, patch, origin, 0);
         BeamTracer tracer(context());
         Beams beams;
-        tracer.trace(beams, surface.mesh(), light, water, lightFrame(light, water, origin));
+        tracer.prepare(beams, surface.mesh(), light, water, lightFrame(light, water, origin));
+        tracer.trace(beams, surface.mesh(), nullptr);
         const auto vertices = std::size_t(surface.mesh().vertexCount),
                    triangles = std::size_t(beams.triangleCount);
         Traced traced{surface.mesh().positions.read<glm::vec4>(vertices),

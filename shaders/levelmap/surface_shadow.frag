@@ -1,0 +1,10 @@
+// Out, R32F, the largest counts: metres along the light from here to the flat surface.
+#include "include/surface_shadow.glsl"
+#include "include/receiver_fragment.glsl"
+layout(location = 0) out float outDistance;
+
+void main() {
+    vec3 position = fragmentIn.position;
+    if (position.y < waterSurface.x || isHole()) discard;
+    outDistance = distance(position, straightFoot(position));
+}
