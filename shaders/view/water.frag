@@ -1,14 +1,19 @@
 // The surface as the camera sees it: what lies below by refraction, the sky by reflection, each with its Fresnel
 // share. Radiance that leaves the water shrinks by n² (L/n² is what stays along a ray).
 // In: the underwater view. Out, RGBA16F: radiance, W/(m² sr).
+#include "include/surface_shadow.glsl"
 #include "include/view.glsl"
 layout(binding = 0) uniform sampler2D underwaterRadiance;
 layout(binding = 1) uniform sampler2D underwaterPosition;
 layout(location = 0) uniform vec4 hole; // x, z of a corner and extents of what another draw call fills; extent 0: none
+layout(location = 2) uniform vec3 sun; // W/m² facing it: adds only this light's glitter; its LightFrame is bound
 in vec3 position;
 in vec3 normal;
 layout(location = 0) out vec4 outRadiance;
 
+const float pi = 3.14159265358979;
+// Mean square slope of the ripples that are too small for the grid: what Cox and Munk (1954) found without wind.
+const float rippleSlope = 0.003;
 const int steps = 28;
 const float nothing = 1e29;
 
@@ -44,11 +49,30 @@ vec3 radianceBelow(vec3 from, vec3 direction) {
     return mix(deepRadiance.rgb, receivers, covered);
 }
 
+// A sun's glitter: light mirrored by ripples whose slopes are spread evenly about the wave's own (Cox and Munk 1954;
+// the reflected radiance is E F p / (4 cosView cos⁴ of the ripple's tilt)).
+vec3 glitter(vec3 view, vec3 up) {
+    vec3 light = lightDirection.xyz;
+    vec3 halfway = -normalize(view + light);
+    float cosTilt = dot(halfway, up);
+    if (cosTilt <= 0.05 || dot(light, up) >= 0.0) return vec3(0.0);
+    float tan2 = 1.0 / (cosTilt * cosTilt) - 1.0;
+    float slopes = exp(-tan2 / rippleSlope) / (pi * rippleSlope);
+    float mirrored = 1.0 - fresnelTransmittance(-dot(view, halfway), 1.0 / viewWater.y);
+    // Seen flat, ripples hide each other.
+    float cosView = max(-dot(view, up), 0.1);
+    return sun * surfaceVisibility(position, 0.0) * mirrored * slopes / (4.0 * cosView * pow(cosTilt, 4.0));
+}
+
 void main() {
     vec2 inHole = position.xz - hole.xy;
     if (hole.z > 0.0 && all(greaterThan(inHole, vec2(0.0))) && all(lessThan(inHole, hole.zw))) discard;
     vec3 view = normalize(position - cameraPosition.xyz);
     vec3 up = normalize(normal);
+    if (sun != vec3(0.0)) {
+        outRadiance = vec4(cameraAbove() ? glitter(view, up) : vec3(0.0), 0.0);
+        return;
+    }
     float ior = viewWater.y;
     if (cameraAbove()) {
         // Seen flatter than its own slope, a wave's far side would be hidden: it reflects at grazing incidence.

@@ -16,7 +16,7 @@ constexpr glm::ivec2 groupSize{8, 8};
 constexpr GLuint viewBinding = 2;
 enum ReceiverUniform { Underwater, WithAmbient, WithCaustics, Strength };
 constexpr GLuint surfaceShadowUnit = 3;
-enum WaterUniform { Hole, PatchRect };
+enum WaterUniform { Hole, PatchRect, Sun };
 enum ScreenUniform { TargetSize = 1 };
 
 struct ViewFrameData {
@@ -201,11 +201,27 @@ void PicturePass::drawHorizon(const Inputs& inputs) {
     glDrawArrays(GL_TRIANGLES, 0, 6);
 }
 
+/// First what shines through and the sky, then each sun's glitter on top.
 void PicturePass::drawWater(const Inputs& inputs) {
     _water.use();
     glEnable(GL_DEPTH_TEST);
+    _water.set(Sun, glm::vec3(0));
     drawHorizon(inputs);
     drawGrid(inputs);
+    glDepthFunc(GL_LEQUAL);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE);
+    for (std::size_t i = 0; i < inputs.scene.lights.size(); ++i) {
+        const Light& light = inputs.scene.lights[i];
+        if (light.type != LightType::Directional || !entersWater(light, inputs.scene.water)) continue;
+        inputs.lights[i].beams->frame.bindUniform(0);
+        if (inputs.lights[i].surfaceShadow) inputs.lights[i].surfaceShadow->bind(surfaceShadowUnit);
+        _water.set(Sun, glm::vec3(light.irradiance));
+        drawHorizon(inputs);
+        drawGrid(inputs);
+    }
+    glDisable(GL_BLEND);
+    glDepthFunc(GL_LESS);
     glDisable(GL_DEPTH_TEST);
 }
 

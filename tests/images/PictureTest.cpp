@@ -38,13 +38,19 @@ TEST_F(PictureTest, aFloorUnderFlatWaterHasItsRadiance) {
     Scene scene = floorFromAbove();
     scene.water.absorption = {0.3, 0.1, 0.05};
     scene.water.scattering = {0.02, 0.02, 0.02};
+    // Not overhead, where its mirror image would be in the picture.
+    scene.lights[0].direction = scenes::sunAt(40).direction;
     const Picture picture = render(scene, {64, 48});
     // Down through the surface, once through the water, reflected, up again, out with L/n² and Fresnel's
     // share.
     const double through = optics::fresnelTransmittance(1.0, 1 / 1.333);
     const glm::dvec3 lost = scene.water.absorption + scene.water.scattering;
     const glm::dvec3 left = optics::extinction(lost, 1.0);
-    const glm::dvec3 irradiance = scene.lights[0].irradiance * through * left;
+    const double cosine = std::cos(glm::radians(40.0));
+    const double refracted = std::cos(std::asin(std::sin(glm::radians(40.0)) / 1.333));
+    const glm::dvec3 irradiance = scene.lights[0].irradiance * cosine *
+                                  optics::fresnelTransmittance(cosine, 1 / 1.333) *
+                                  optics::extinction(lost, 1 / refracted);
     const glm::dvec3 floor = 0.8 / pi * irradiance + 0.8 * scene.ambientRadiance;
     const glm::dvec3 deep = scene.ambientRadiance * scene.water.scattering / lost;
     const glm::dvec3 below = floor * left + deep * (1.0 - left);
@@ -88,6 +94,26 @@ TEST_F(PictureTest, waterLiftsWhatLiesInIt) {
     ASSERT_GT(center.z, 0);
     EXPECT_NEAR(center.x / center.z, 40, 0.5);
     EXPECT_NEAR(center.y / center.z, 30, 1.0);
+}
+
+TEST_F(PictureTest, theSunGlittersWhereItsMirrorImageIs) {
+    Scene scene = floorFromAbove();
+    scene.receivers = {scenes::floorAt(-50, 0.1)};
+    scene.ambientRadiance = scene.skyRadiance = glm::dvec3(0);
+    scene.water.center = {0, 0};
+    scene.water.size = {8, 8};
+    scene.lights[0].direction = scenes::sunAt(30).direction;
+    scene.camera.position = {0, 2, 0};
+    scene.camera.verticalFov = 90;
+    const Picture picture = render(scene, {96, 64});
+    glm::dvec3 center(0);
+    for (int y = 0; y < 64; ++y)
+        for (int x = 0; x < 96; ++x)
+            center += at(picture, x, y).x * glm::dvec3(x + 0.5, y + 0.5, 1);
+    ASSERT_GT(center.z, 0);
+    // The sun travels towards +x, so its image lies at -x under 30°: tan 30° of half the picture's height.
+    EXPECT_NEAR(center.x / center.z, 48 - 32 * std::tan(pi / 6), 1.0);
+    EXPECT_NEAR(center.y / center.z, 32, 0.5);
 }
 
 TEST_F(PictureTest, anUnlitSceneShowsAmbientAlone) {
