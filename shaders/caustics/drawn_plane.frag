@@ -33,6 +33,5 @@ void main() {
     vec3 normal = boxDirection(octahedralDecode(texelFetch(normalMap, texel, 0).xy));
     float metres = (position.x - startDepth) * length(along);
     float lit = texelFetch(diffuseMap, texel, 0).a * max(-dot(normal, along), 0.0);
-    if (metres <= 0.0) discard;
     irradiance = vec4(strength * extinction(extinctionPerMetre, metres) * (density * lit), 1.0);
 }

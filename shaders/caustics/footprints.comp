@@ -14,8 +14,9 @@ void main() {
     if (index >= uint(vertexCount)) return;
     vec3 origin = boxLocal(origins[index].xyz);
     vec3 direction = boxDirection(directions[index].xyz);
-    // A ray that runs nearly across the box or backwards never meets its planes: far outside, by design.
-    vec2 slope = direction.z > 0.02 ? direction.xy / direction.z : vec2(1e4);
+    // A ray that runs nearly across the box or backwards does not meet its planes in any useful place; the slope
+    // marks it, and beams with such an edge carry nothing (footprint_areas.comp).
+    vec2 slope = direction.z > 0.02 ? direction.xy / direction.z : vec2(1e6);
     vec2 at = origin.xy - slope * origin.z;
     footprints[index] = vec4(at, slope) / boxExtent.w;
     originDepths[index] = origin.z;

@@ -1,5 +1,5 @@
 // A receiver lit by one of its caustic maps (thesis 4.6, eq. 4-19; further lights are added, eq. 4-20).
-// Out 0, RGBA16F: radiance that leaves the receiver, W/(m² sr); alpha 1.
+// Out 0, RGBA32F: radiance that leaves the receiver, W/(m² sr); alpha 1.
 // Out 1, RGBA32F: position, m from the scene's origin; metres of water between it and the surface along the view
 //        ray (from the camera itself if that is below).
 #include "include/box.glsl"
@@ -93,6 +93,6 @@ void main() {
     if (strength != vec3(0.0)) irradiance += straightIrradiance(shading);
     vec3 albedo = baseColor().rgb;
     vec3 radiance = albedo / pi * irradiance + (withAmbient != 0 ? albedo * ambientRadiance.rgb : vec3(0.0));
-    outRadiance = vec4(radiance, 1.0);
+    outRadiance = vec4(radiance, withAmbient != 0 ? 1.0 : 0.0); // once, however many lights add to it
     outPosition = vec4(position, distance(position, seenAt));
 }

@@ -1,6 +1,6 @@
 // The surface as the camera sees it: what lies below by refraction, the sky by reflection, each with its Fresnel
 // share. Radiance that leaves the water shrinks by n² (L/n² is what stays along a ray).
-// In: the underwater view. Out, RGBA16F: radiance, W/(m² sr).
+// In: the underwater view. Out, RGBA32F: radiance, W/(m² sr).
 #include "include/surface_shadow.glsl"
 #include "include/view.glsl"
 layout(binding = 0) uniform sampler2D underwaterRadiance;
@@ -43,10 +43,9 @@ vec3 radianceBelow(vec3 from, vec3 direction) {
     }
     vec2 uv = clamp(underwaterUv(from + metres * direction), 0.0, 1.0);
     vec4 seen = texture(underwaterRadiance, uv);
-    // Alpha is the share of receivers in the texel, once for each light.
-    float covered = min(seen.a, 1.0);
-    vec3 receivers = throughWater(seen.rgb / max(covered, 1e-3), metres);
-    return mix(deepRadiance.rgb, receivers, covered);
+    // Alpha is the share of receivers in the texel.
+    vec3 receivers = throughWater(seen.rgb / max(seen.a, 1e-3), metres);
+    return mix(deepRadiance.rgb, receivers, seen.a);
 }
 
 // A sun's glitter: light mirrored by ripples whose slopes are spread evenly about the wave's own (Cox and Munk 1954;

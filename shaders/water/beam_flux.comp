@@ -17,7 +17,7 @@ float solidAngle(vec3 a, vec3 b, vec3 c) {
     // The triple product from edges: as from the corners, but it keeps its digits when the triangle is small.
     float triple = dot(a, cross(b - a, c - a));
     float denominator = la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb;
-    return -2.0 * atan(triple, denominator);
+    return triple == 0.0 ? 0.0 : -2.0 * atan(triple, denominator);
 }
 
 void main() {

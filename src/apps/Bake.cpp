@@ -56,12 +56,14 @@ void printBake(const io::Bake& bake) {
 }
 
 void bake(const BakeOptions& options) {
+    requireTime(options.time);
     Scene scene = loadScene(options.common);
     io::prepareFolder(options.output);
     gl::Context context(contextOptions(options.common));
     Engine engine(context);
     engine.setSkipping(!options.common.noSkip);
     engine.setScene(std::move(scene));
+    printWarnings(engine, options.common);
     engine.updateCaustics(options.time);
     io::Bake result;
     result.device = context.info().renderer;

@@ -1,10 +1,12 @@
 #include "apps/Common.h"
 
 #include <charconv>
+#include <cmath>
 
 #include <fmt/format.h>
 
 #include "core/Error.h"
+#include "engine/Warnings.h"
 
 namespace limpid::apps {
 
@@ -33,8 +35,8 @@ Scene loadScene(const CommonOptions& options) {
         overrides.push_back({setting.substr(0, equals), setting.substr(equals + 1)});
     }
     if (!options.method.empty()) overrides.push_back({"caustics.method", options.method});
-    if (options.planes != 0) overrides.push_back({"caustics.planes", std::to_string(options.planes)});
-    if (options.mapSize != 0) overrides.push_back({"caustics.map_size", std::to_string(options.mapSize)});
+    if (options.planes) overrides.push_back({"caustics.planes", std::to_string(*options.planes)});
+    if (options.mapSize) overrides.push_back({"caustics.map_size", std::to_string(*options.mapSize)});
     return io::loadScene(options.input, overrides);
 }
 
@@ -45,6 +47,11 @@ gl::ContextOptions contextOptions(const CommonOptions& options) {
     context.debug = true;
 #endif
     return context;
+}
+
+void requireTime(double seconds) {
+    if (!(std::abs(seconds) <= 1e9))
+        throw InputError(fmt::format("--time: expected seconds from -1e9 to 1e9, found {}", seconds));
 }
 
 glm::ivec2 parseSize(const std::string& text) {
@@ -58,6 +65,12 @@ glm::ivec2 parseSize(const std::string& text) {
             return size;
     }
     throw InputError(fmt::format("--size: expected WxH with 1 to 7680 pixels each, found \"{}\"", text));
+}
+
+void printWarnings(const Engine& engine, const CommonOptions& options) {
+    if (options.quiet) return;
+    for (const std::string& warning : sceneWarnings(engine.scene(), engine.waterPatch()))
+        fmt::print(stderr, "limpid: warning: {}\n", warning);
 }
 
 void printWork(Engine& engine, gl::Context& context) {

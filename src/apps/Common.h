@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,8 +15,8 @@ namespace limpid::apps {
 struct CommonOptions {
     std::string input;
     std::string method;
-    int planes = 0;
-    int mapSize = 0;
+    std::optional<int> planes;
+    std::optional<int> mapSize;
     std::vector<std::string> settings; ///< KEY=VALUE
     bool noSkip = false;
     std::string device;
@@ -31,8 +32,14 @@ Scene loadScene(const CommonOptions& options);
 /// Throws GraphicsError. Debug builds check every call.
 gl::ContextOptions contextOptions(const CommonOptions& options);
 
+/// Throws InputError unless `seconds` is a number that a scene can be at.
+void requireTime(double seconds);
+
 /// "WxH" in pixels. Throws InputError.
 glm::ivec2 parseSize(const std::string& text);
+
+/// The scene's warnings on stderr, unless quiet.
+void printWarnings(const Engine& engine, const CommonOptions& options);
 
 /// GPU time by pass, planes, GPU bytes by kind, on stdout.
 void printWork(Engine& engine, gl::Context& context);

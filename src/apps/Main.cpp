@@ -24,14 +24,27 @@ int run(int argc, char** argv) {
     limpid::apps::addInfo(app);
     try {
         app.parse(argc, argv);
+    } catch (const CLI::ExtrasError&) {
+        std::string extra;
+        for (const std::string& word : app.remaining(true))
+            extra += (extra.empty() ? "" : " ") + word;
+        return fail(2,
+                    fmt::format("expected one of the options in limpid --help, found \"{}\"", extra).c_str());
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0) return app.exit(error);
         if (argc < 2) {
             fmt::print(stderr, "{}", app.help());
             return 2;
         }
+        if (app.get_subcommands().empty())
+            return fail(
+                2, fmt::format("expected a command (render, bake, info), found \"{}\" (see limpid --help)",
+                               argv[1])
+                       .c_str());
         return fail(2, fmt::format("{} (see limpid --help)", error.what()).c_str());
     }
+    // A full disk behind a redirection shows only now.
+    if (std::fflush(stdout) != 0) return fail(2, "standard output: cannot write");
     return 0;
 }
 

@@ -2,6 +2,7 @@
 #include <optional>
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include "apps/Common.h"
 #include "apps/Frames.h"
@@ -36,6 +37,9 @@ void requirePictureName(const std::filesystem::path& file, bool sequence) {
                                      file.string(), sequence ? ", or .mp4, .mkv or .webm" : "",
                                      file.extension().string()));
     const auto folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+    if (std::filesystem::is_directory(folder) && access(folder.c_str(), W_OK) != 0)
+        throw InputError(fmt::format("{}: expected a folder to write to, found {} closed to writing",
+                                     file.string(), folder.string()));
     if (!std::filesystem::is_directory(folder))
         throw InputError(fmt::format("{}: expected a folder to write to, found none named {}", file.string(),
                                      folder.string()));
@@ -71,15 +75,20 @@ void renderFrames(const RenderOptions& options, Engine& engine, glm::ivec2 size,
 
 void render(const RenderOptions& options) {
     const glm::ivec2 size = parseSize(options.size);
+    requireTime(options.time);
     const bool sequence = !options.frames.empty();
     requirePictureName(options.output, sequence);
     if (sequence && !isVideo(options.output)) frameName(options.output, parseFrames(options.frames).first);
     Scene scene = loadScene(options.common);
     const double exposure = scene.camera.exposure;
     gl::Context context(contextOptions(options.common));
+    if (const int most = Engine::largestPicture(context); std::max(size.x, size.y) > most)
+        throw InputError(fmt::format(
+            "--size: expected at most {} pixels on a side with this GPU, found \"{}\"", most, options.size));
     Engine engine(context);
     engine.setSkipping(!options.common.noSkip);
     engine.setScene(std::move(scene));
+    printWarnings(engine, options.common);
     if (sequence) {
         renderFrames(options, engine, size, exposure);
         return;
@@ -97,7 +106,7 @@ void addRender(CLI::App& app) {
     addCommonOptions(*command, options->common);
     command->add_option("-o,--output", options->output, "picture to write, .png or .exr")->required();
     command->add_option("--size", options->size, "pixels, WxH")->capture_default_str();
-    auto* time = command->add_option("--time", options->time, "seconds")->check(CLI::Range(-1e9, 1e9));
+    auto* time = command->add_option("--time", options->time, "seconds");
     command
         ->add_option("--frames", options->frames,
                      "A..B: a sequence; the picture's name holds %04d, or ends in .mp4")

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
+#include "core/Error.h"
 #include "engine/Framing.h"
 #include "water/FlatWater.h"
 
@@ -34,6 +37,15 @@ glm::ivec2 sceneDepthSize(const glm::vec4& rect, int mapSize) {
     return glm::max(glm::ivec2(glm::ceil(glm::vec2(rect.z, rect.w) / most * float(longer))), 1);
 }
 
+/// The largest buffer holds 16 bytes a triangle.
+void requireGrid(glm::ivec2 grid, const gl::DeviceInfo& gpu) {
+    const std::int64_t triangles = 2 * std::int64_t(grid.x) * grid.y, most = gpu.maxStorageBlockBytes / 16;
+    if (triangles > most)
+        throw InputError(
+            fmt::format("water.grid: expected at most {} quads in all with this GPU, found {} x {}", most / 2,
+                        grid.x, grid.y));
+}
+
 } // namespace
 
 Engine::Engine(gl::Context& context)
@@ -46,6 +58,7 @@ void Engine::setScene(Scene scene) {
     frameCamera(_scene);
     _origin = chooseOrigin(worldBounds(_scene));
     _patch = coveringPatch(_scene);
+    requireGrid(_patch.grid, _context.info());
     _receivers.clear();
     _submerged.clear();
     _dry.clear();

@@ -58,6 +58,8 @@ class Engine {
     /// Where the light went, all but `deposited`. After updateCaustics; waits for the GPU.
     FluxBalance auditFlux(int light);
 
+    /// Pixels on the longer side of a picture, at most.
+    static int largestPicture(const gl::Context& context) { return PicturePass::largestSide(context); }
     /// updateCaustics, then the scene as its camera sees it.
     Picture render(double time, glm::ivec2 size);
 

@@ -38,7 +38,7 @@ void checkAllocation(const std::string& kind, std::int64_t bytes) {
     const GLenum error = glGetError();
     if (error == GL_NO_ERROR) return;
     throw GraphicsError(
-        fmt::format("{}: expected {} bytes of GPU memory, found {}", kind, bytes,
+        fmt::format("{}: expected room for {} bytes on the GPU, found {}", kind, bytes,
                     error == GL_OUT_OF_MEMORY ? "out of memory" : fmt::format("GL error {:#x}", error)));
 }
 

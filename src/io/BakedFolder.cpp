@@ -54,7 +54,7 @@ void prepareFolder(const std::filesystem::path& folder) {
     std::filesystem::create_directories(folder, error);
     if (!std::filesystem::is_directory(folder))
         throw InputError(fmt::format("{}: expected a folder to write to, found {}", folder.string(),
-                                     error ? error.message() : "a file"));
+                                     std::filesystem::exists(folder) ? "a file" : error.message()));
 }
 
 void writeBake(const std::filesystem::path& folder, const Bake& bake) {

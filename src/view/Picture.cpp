@@ -6,6 +6,8 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "core/Optics.h"
+
 namespace limpid {
 
 namespace {
@@ -24,20 +26,32 @@ struct ViewFrameData {
     glm::vec4 cameraPosition, ambientRadiance, skyRadiance, waterExtinction, viewWater, deepRadiance;
 };
 
-/// An upper bound on metres of water between the camera's rays and any receiver.
+/// An upper bound on metres of water between the camera's rays and any receiver. Waves bend rays further than
+/// flat water does; a quarter more has room for it.
 double farthestSeen(const PicturePass::Inputs& inputs, const glm::dvec3& camera) {
     const Bounds bounds = worldBounds(inputs.scene);
+    const Water& water = inputs.scene.water;
     double farthest = 1e-6;
     for (int i = 0; i < 8; ++i) {
         const glm::dvec3 corner(i & 1 ? bounds.max.x : bounds.min.x, i & 2 ? bounds.max.y : bounds.min.y,
                                 i & 4 ? bounds.max.z : bounds.min.z);
-        // From above, a ray leans by at most the critical angle: 1.6 of the depth; from below it goes
-        // anywhere.
-        farthest = std::max(farthest, camera.y > inputs.scene.water.level
-                                          ? 1.6 * std::abs(inputs.scene.water.level - corner.y)
-                                          : glm::distance(corner, camera));
+        const double above = camera.y - water.level, below = std::max(water.level - corner.y, 0.0);
+        const double across = glm::distance(glm::dvec2(camera.x, camera.z), glm::dvec2(corner.x, corner.z));
+        const double rest =
+            above > 0 ? across - optics::flatCrossing(above, below, across, water.ior) : across;
+        farthest = std::max(farthest, above > 0 ? std::hypot(rest, below) : glm::distance(corner, camera));
     }
-    return 1.1 * farthest;
+    return 1.25 * farthest;
+}
+
+/// Nothing nearer than this is seen, m: a thousandth of the way to what the picture is about.
+double nearPlane(const PicturePass::Inputs& inputs) {
+    const Camera& camera = inputs.scene.camera;
+    const Bounds bounds = worldBounds(inputs.scene);
+    const double toScene =
+        bounds.empty() ? 1e300
+                       : glm::distance(*camera.position, bounds.center()) + glm::length(bounds.size());
+    return 1e-3 * std::max(std::min(glm::distance(*camera.position, *camera.target), toScene), 1e-9);
 }
 
 /// Radiance of endless water in which the ambient light is the same everywhere: what each metre scatters into
@@ -59,7 +73,7 @@ ViewFrameData viewFrame(const PicturePass::Inputs& inputs, glm::ivec2 size) {
     const Scene& scene = inputs.scene;
     const Camera& camera = scene.camera;
     const glm::dvec3 position = *camera.position - inputs.origin, target = *camera.target - inputs.origin;
-    const double near = 1e-3 * std::max(glm::distance(position, target), 1e-9);
+    const double near = nearPlane(inputs);
     const glm::dmat4 projection =
         glm::infinitePerspective(glm::radians(camera.verticalFov), double(size.x) / double(size.y), near);
     const glm::dvec3 forward = glm::normalize(target - position);
@@ -104,6 +118,10 @@ PicturePass::PicturePass(gl::Context& context)
                  "view/receiver.frag"}),
       _water({"view/water.vert", "view/water.frag"}),
       _underwaterScreen({"view/screen.vert", "view/underwater_screen.frag"}) {}
+
+int PicturePass::largestSide(const gl::Context& context) {
+    return int(context.info().maxTextureSize / (supersampling * (1 + underwaterMargin)));
+}
 
 gl::Texture PicturePass::castMap(const Lit& lit) {
     gl::Texture map(_context.ledger(), "cast map", GL_RGBA32F, lit.level->frame.size);
@@ -233,7 +251,7 @@ Picture PicturePass::draw(const Inputs& inputs, glm::ivec2 size) {
     const gl::Buffer view(ledger, "view", sizeof(frame), &frame);
     view.bindUniform(viewBinding);
 
-    gl::Texture below(ledger, "underwater view", GL_RGBA16F, wide);
+    gl::Texture below(ledger, "underwater view", GL_RGBA32F, wide);
     const gl::Texture belowPosition(ledger, "underwater view", GL_RGBA32F, wide);
     const gl::Texture belowDepth(ledger, "depth buffer", GL_DEPTH_COMPONENT32F, wide);
     below.setFilter(GL_LINEAR, GL_CLAMP_TO_EDGE);

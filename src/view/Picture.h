@@ -31,6 +31,9 @@ class PicturePass {
   public:
     explicit PicturePass(gl::Context& context);
 
+    /// Pixels on the longer side, at most.
+    static int largestSide(const gl::Context& context);
+
     struct Lit {
         int receiver;
         const LevelMap* level;

@@ -44,11 +44,23 @@ void addStarts(Bounds& starts, const Light& light, const Water& water, const glm
     }
 }
 
+/// The points of a box that the outermost rays of a light may go to: its corners, and for a lamp beside a
+/// long box the places nearest to it, whose rays enter further out.
+std::vector<glm::dvec3> outermost(const Bounds& box, const Light& light) {
+    const glm::dvec3 nearest = glm::clamp(light.position, box.min, box.max);
+    std::vector<glm::dvec3> points;
+    for (const double x : {box.min.x, box.max.x, nearest.x})
+        for (const double z : {box.min.z, box.max.z, nearest.z})
+            for (const double y : {box.min.y, box.max.y})
+                points.emplace_back(x, y, z);
+    return points;
+}
+
 } // namespace
 
 bool entersWater(const Light& light, const Water& water) {
     return light.type == LightType::Directional ? glm::normalize(light.direction).y < -1e-6
-                                                : light.position.y > water.level;
+                                                : light.position.y > water.level + 1.001 * highestWave(water);
 }
 
 glm::dvec3 refractedAt(const Light& light, const Water& water, const glm::dvec3& surface,
@@ -84,13 +96,10 @@ WaterPatch coveringPatch(const Scene& scene) {
     wet.max.y = std::min(wet.max.y, water.level);
     if (!wet.empty() && wet.min.y < water.level) {
         const auto normals = possibleNormals(steepestSlope(water));
-        for (int corner = 0; corner < 8; ++corner) {
-            const glm::dvec3 point(corner & 1 ? wet.max.x : wet.min.x, corner & 2 ? wet.max.y : wet.min.y,
-                                   corner & 4 ? wet.max.z : wet.min.z);
-            starts.add({point.x, water.level, point.z});
-            for (const Light& light : scene.lights)
+        for (const Light& light : scene.lights)
+            for (const glm::dvec3& point : outermost(wet, light))
                 if (entersWater(light, water)) addStarts(starts, light, water, point, normals);
-        }
+        starts.add({wet.min.x, water.level, wet.min.z}), starts.add({wet.max.x, water.level, wet.max.z});
     } else {
         starts.add({-1, 0, -1}), starts.add({1, 0, 1});
     }
@@ -99,10 +108,12 @@ WaterPatch coveringPatch(const Scene& scene) {
     // Crests lift the start of a ray off the mean level, and one quad more lets every inner texel see whole
     // beams.
     const double lift = 2 * highestWave(water);
-    const glm::dvec2 size = glm::max(glm::dvec2(starts.size().x, starts.size().z) + lift, 1e-6);
+    const glm::dvec2 middle(starts.center().x, starts.center().z);
+    patch.center = water.center.value_or(middle);
+    const glm::dvec2 aside = 2.0 * glm::abs(patch.center - middle);
+    const glm::dvec2 size = aside + glm::max(glm::dvec2(starts.size().x, starts.size().z) + lift, 1e-6);
     patch.size =
         water.size.value_or(size * (1.0 + 2.0 / glm::dvec2(water.grid)) + 1e-3 * std::max(size.x, size.y));
-    patch.center = water.center.value_or(glm::dvec2(starts.center().x, starts.center().z));
     return patch;
 }
 

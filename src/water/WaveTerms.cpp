@@ -28,11 +28,11 @@ WaveTermData circularTerm(const Wave& wave, const glm::dvec3& origin, double tim
 
 WaveTermData noiseTerm(const Wave& wave, const glm::dvec3& origin, double time) {
     const glm::dvec3 at = glm::dvec3(origin.x, origin.z, wave.speed * time) / wave.wavelength;
-    // The lattice repeats after 2^24 cells, far beyond any scene, so that the cell fits an int at every
-    // octave.
+    // The lattice repeats after 2^19 cells, so that the cell of the twelfth octave, 2^11 times as many, fits
+    // an int.
     const glm::dvec3 whole = glm::floor(at);
     const glm::dvec3 part = at - whole;
-    const auto wrap = [](double cell) { return int(std::fmod(cell, 16777216.0)); };
+    const auto wrap = [](double cell) { return int(std::fmod(cell, 524288.0)); };
     return {glm::vec4(wave.amplitude, 1 / wave.wavelength, part.z, 0),
             glm::vec4(part.x, part.y, 0, 0),
             {2, wave.octaves, int(wave.seed), 0},

@@ -104,7 +104,11 @@ TEST_F(CommandLineGLTest, wrongUsageIsTwo) {
     const std::string fish = models("fish.glb"), out = " -o " + path("x.png");
     const std::pair<std::string, std::string> cases[] = {
         {"", "Usage: limpid"},
-        {"paint", "limpid: "},
+        {"paint", "expected a command (render, bake, info), found \"paint\""},
+        {"render " + fish + out + " --colour 5", "found \"--colour 5\""},
+        {"render " + fish + out + " --planes 0", "expected a whole number from 1 to 4096, found 0"},
+        {"bake " + fish + " -o " + path("x") + " --time nan", "--time"},
+        {"render " + fish + out + " --size 7680x10", "--size: expected at most"},
         {"render " + fish, "limpid: --output is required"},
         {"render " + fish + " -o " + path("x.jpg"),
          "expected a name that ends in .png or .exr, found \".jpg\""},

@@ -72,6 +72,28 @@ TEST(CoveringPatch, holdsEveryStartOfARayToTheReceivers) {
         }
 }
 
+TEST(CoveringPatch, reachesALampBesideALongReceiver) {
+    // The nearest place of a long floor is lit from further out than any of its corners.
+    Scene scene;
+    scene.receivers = {scenes::shape("floor", makePlane({1, 10}, glm::vec3(1)), {0, -1, 0})};
+    scene.lights = {lampAt({-3, 0.05, 0})};
+    const WaterPatch patch = coveringPatch(scene);
+    for (double z = -5; z <= 5; z += 0.25) {
+        const glm::dvec3 entry = entryPoint(scene.lights[0], scene.water, {-0.5, -1, z});
+        EXPECT_GE(entry.x, patch.min().x) << z;
+    }
+}
+
+TEST(CoveringPatch, coversTheReceiversAroundAGivenCentre) {
+    Scene scene;
+    scene.receivers = {scenes::floorAt(-1)};
+    scene.lights = {scenes::sunAt(0)};
+    scene.water.center = {1, 0};
+    const WaterPatch patch = coveringPatch(scene);
+    EXPECT_LE(patch.min().x, -1);
+    EXPECT_GE(patch.min().x + patch.size.x, 1);
+}
+
 TEST(CoveringPatch, takesWhatTheSceneAsksFor) {
     Scene scene;
     scene.receivers = {scenes::floorAt(-1)};

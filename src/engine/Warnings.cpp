@@ -1,0 +1,58 @@
+#include "engine/Warnings.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "water/WaveTerms.h"
+
+namespace limpid {
+
+namespace {
+
+/// Metres of the shortest wave in a term.
+double shortest(const Wave& wave) {
+    return wave.type == WaveType::Noise ? wave.wavelength / std::exp2(wave.octaves - 1) : wave.wavelength;
+}
+
+void warnOfWaves(std::vector<std::string>& warnings, const Scene& scene, const WaterPatch& patch) {
+    const glm::dvec2 quad = patch.size / glm::dvec2(patch.grid);
+    const double coarsest = std::max(quad.x, quad.y);
+    for (std::size_t i = 0; i < scene.water.waves.size(); ++i)
+        if (const double length = shortest(scene.water.waves[i]); length < 2 * coarsest)
+            warnings.push_back(
+                fmt::format("water.wave.{}: expected waves of at least two quads ({:.3g} m), found {:.3g} m; "
+                            "a finer water.grid would show them",
+                            i, 2 * coarsest, length));
+    // From straight above, a ray bends by about a quarter of the slope; past a slope of 1 it may come out
+    // again.
+    if (const double slope = steepestSlope(scene.water); slope > 1)
+        warnings.push_back(
+            fmt::format("water.wave: expected slopes below 1, found up to {:.3g}; beams may cross the "
+                        "surface again, which is not followed",
+                        slope));
+}
+
+} // namespace
+
+std::vector<std::string> sceneWarnings(const Scene& scene, const WaterPatch& patch) {
+    std::vector<std::string> warnings;
+    warnOfWaves(warnings, scene, patch);
+    for (const Light& light : scene.lights) {
+        if (!entersWater(light, scene.water))
+            warnings.push_back(fmt::format(
+                "light.{}: does not enter the water from above, so it makes no caustics", light.name));
+        if (light.angularDiameter > 0)
+            warnings.push_back(
+                fmt::format("light.{}.angular_diameter: not yet used, the light is taken as a point far away",
+                            light.name));
+    }
+    for (const Receiver& receiver : scene.receivers)
+        if (worldBounds(receiver).min.y >= scene.water.level)
+            warnings.push_back(
+                fmt::format("receiver.{}: lies above the water, so no caustics fall on it", receiver.name));
+    return warnings;
+}
+
+} // namespace limpid
