@@ -91,15 +91,16 @@ AccessorView::AccessorView(const GltfFile& file, const std::string& place, int i
     file.requireIndex(place, index, file.model.accessors.size());
     _place = fmt::format("accessors[{}]", index);
     const tinygltf::Accessor& accessor = file.model.accessors[static_cast<std::size_t>(index)];
-    const bool known = std::find(kind.componentTypes.begin(), kind.componentTypes.end(),
-                                 accessor.componentType) != kind.componentTypes.end();
-    if (accessor.type != kind.type || !known)
+    const auto isOneOf = [](const std::vector<int>& types, int type) {
+        return std::find(types.begin(), types.end(), type) != types.end();
+    };
+    if (!isOneOf(kind.types, accessor.type) || !isOneOf(kind.componentTypes, accessor.componentType))
         file.fail(_place, fmt::format("{} for {}", kind.text, place),
                   fmt::format("{} of component type {}", typeName(accessor.type), accessor.componentType));
     _componentType = accessor.componentType;
     _componentSize = componentSize(_componentType);
-    const int components = tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(accessor.type));
-    _elementSize = _componentSize * static_cast<std::size_t>(components);
+    _components = tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(accessor.type));
+    _elementSize = _componentSize * static_cast<std::size_t>(_components);
     _normalized = accessor.normalized;
     if (accessor.bufferView >= 0) {
         file.requireIndex(_place + ".bufferView", accessor.bufferView, file.model.bufferViews.size());

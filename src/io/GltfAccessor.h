@@ -4,13 +4,15 @@
 #include <string>
 #include <vector>
 
+#include <glm/glm.hpp>
+
 #include "io/GltfFile.h"
 
 namespace limpid::io {
 
 /// What an accessor has to be to serve a purpose.
 struct AccessorKind {
-    int type;                        ///< TINYGLTF_TYPE_…
+    std::vector<int> types;          ///< TINYGLTF_TYPE_…
     std::vector<int> componentTypes; ///< TINYGLTF_COMPONENT_TYPE_…
     const char* text;                ///< completes "expected …"
 };
@@ -33,9 +35,13 @@ class AccessorView {
     AccessorView(const GltfFile& file, const std::string& place, int accessor, const AccessorKind& kind);
 
     std::size_t count() const { return _elements.count; }
+    int components() const { return _components; }
 
     /// Component `c` of element `i`, normalised integers as [0, 1] or [−1, 1].
     double component(std::size_t i, int c) const;
+
+    /// The first three of them.
+    glm::dvec3 vec3(std::size_t i) const { return {component(i, 0), component(i, 1), component(i, 2)}; }
 
     std::uint32_t index(std::size_t i) const;
 
@@ -45,6 +51,7 @@ class AccessorView {
     std::uint32_t sparseIndex(std::size_t k) const;
 
     std::string _place;
+    int _components = 0;
     int _componentType = 0;
     std::size_t _componentSize = 0;
     std::size_t _elementSize = 0;

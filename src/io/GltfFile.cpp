@@ -3,11 +3,15 @@
 #include <algorithm>
 #include <cstring>
 #include <limits>
+#include <optional>
 
 #include <fmt/format.h>
 
 #include "core/Error.h"
 #include "io/Files.h"
+#include "io/GltfCompressed.h"
+#include "io/GltfDraco.h"
+#include "io/GltfMeshopt.h"
 
 namespace fs = std::filesystem;
 
@@ -17,6 +21,8 @@ namespace {
 
 /// tinygltf walks `extras` and `extensions` by recursion; this many levels fit on any stack.
 constexpr int maxJsonDepth = 200;
+/// Of decompressed to compressed bytes. Both codecs reach it with data that hardly changes, and no more.
+constexpr std::size_t maxExpansion = 256;
 constexpr std::size_t glbHeaderSize = 12;
 constexpr std::size_t chunkHeaderSize = 8;
 
@@ -125,16 +131,39 @@ std::string_view checkGlb(const GltfFile& file, const std::vector<std::uint8_t>&
     return {reinterpret_cast<const char*>(bytes.data()) + jsonStart, jsonLength};
 }
 
+void putU32(std::vector<std::uint8_t>& bytes, std::size_t offset, std::size_t value) {
+    for (std::size_t i = 0; i < 4; ++i)
+        bytes[offset + i] = static_cast<std::uint8_t>(value >> (8 * i));
+}
+
+/// Gives a checked GLB another JSON chunk.
+void replaceJson(std::vector<std::uint8_t>& glb, std::string json) {
+    json.resize((json.size() + 3) / 4 * 4, ' ');
+    glb.resize(readU32(glb, 8));
+    const auto start = glb.begin() + glbHeaderSize + chunkHeaderSize;
+    const auto rest = glb.erase(start, start + readU32(glb, glbHeaderSize));
+    glb.insert(rest, json.begin(), json.end());
+    putU32(glb, 8, glb.size());
+    putU32(glb, glbHeaderSize, json.size());
+}
+
+constexpr std::string_view supportedExtensions[] = {"KHR_mesh_quantization",      "KHR_texture_transform",
+                                                    "KHR_draco_mesh_compression", "EXT_meshopt_compression",
+                                                    "KHR_meshopt_compression",    "EXT_mesh_gpu_instancing",
+                                                    "KHR_lights_punctual"};
+
 /// Extensions that change only how a surface looks may be required and still be left out.
 bool isSupported(std::string_view extension) {
-    return extension == "KHR_mesh_quantization" || extension == "KHR_texture_transform" ||
+    return std::find(std::begin(supportedExtensions), std::end(supportedExtensions), extension) !=
+               std::end(supportedExtensions) ||
            extension.starts_with("KHR_materials_");
 }
 
 void checkExtensions(const GltfFile& file) {
     for (const std::string& extension : file.model.extensionsRequired)
         if (!isSupported(extension))
-            file.fail("extensionsRequired", "KHR_mesh_quantization, KHR_texture_transform or KHR_materials_*",
+            file.fail("extensionsRequired",
+                      fmt::format("{} or KHR_materials_*", fmt::join(supportedExtensions, ", ")),
                       fmt::format("\"{}\"", oneLine(extension, 80)));
 }
 
@@ -146,13 +175,25 @@ void checkVersion(const GltfFile& file) {
         file.fail("asset.minVersion", "2.0", fmt::format("\"{}\"", oneLine(asset.minVersion, 40)));
 }
 
-void parse(GltfFile& file, const std::vector<std::uint8_t>& bytes, FolderAccess& access) {
+/// Checks the file as far as tinygltf needs it, and changes what of compressed files it would not take.
+void prepare(const GltfFile& file, std::vector<std::uint8_t>& bytes) {
     const std::string_view json =
         isBinary(bytes) ? checkGlb(file, bytes)
                         : std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     if (jsonDepth(json) > maxJsonDepth)
         file.fail("JSON", fmt::format("at most {} nested levels", maxJsonDepth),
                   fmt::format("{}", jsonDepth(json)));
+    if (std::optional<std::string> changed = withoutCompressionGaps(json)) {
+        if (isBinary(bytes))
+            replaceJson(bytes, std::move(*changed));
+        else
+            bytes.assign(changed->begin(), changed->end());
+    }
+    if (bytes.size() > std::numeric_limits<std::uint32_t>::max())
+        file.fail("glTF", "a file below 4 GiB", fmt::format("{} bytes", bytes.size()));
+}
+
+void parse(GltfFile& file, const std::vector<std::uint8_t>& bytes, FolderAccess& access) {
     tinygltf::TinyGLTF loader;
     loader.SetImageLoader(keepEncoded, nullptr);
     loader.SetFsCallbacks({fileExists, keepPath, readWholeFile, writeNothing, &access});
@@ -162,7 +203,8 @@ void parse(GltfFile& file, const std::vector<std::uint8_t>& bytes, FolderAccess&
     try {
         good = isBinary(bytes)
                    ? loader.LoadBinaryFromMemory(&file.model, &error, &warning, bytes.data(), size)
-                   : loader.LoadASCIIFromString(&file.model, &error, &warning, json.data(), size, "");
+                   : loader.LoadASCIIFromString(&file.model, &error, &warning,
+                                                reinterpret_cast<const char*>(bytes.data()), size, "");
     } catch (const std::exception& failure) {
         error += failure.what();
     }
@@ -188,18 +230,36 @@ void GltfFile::requireIndex(const std::string& place, int index, std::size_t cou
              fmt::format("{}", index));
 }
 
+void GltfFile::claimDecompressed(const std::string& place, std::size_t bytes) {
+    const std::size_t left = size * maxExpansion - decompressed;
+    if (bytes > left)
+        fail(place, fmt::format("at most {} bytes more once decompressed, for a file of {}", left, size),
+             fmt::format("{}", bytes));
+    decompressed += bytes;
+}
+
+int GltfFile::addBuffer(std::vector<unsigned char> data) {
+    tinygltf::BufferView view;
+    view.buffer = static_cast<int>(model.buffers.size());
+    view.byteLength = data.size();
+    model.buffers.emplace_back().data = std::move(data);
+    model.bufferViews.push_back(std::move(view));
+    return static_cast<int>(model.bufferViews.size()) - 1;
+}
+
 GltfFile readGltfFile(const fs::path& path) {
     GltfFile file;
     file.name = oneLine(path.string());
-    const std::vector<std::uint8_t> bytes = readBytes(path);
-    if (bytes.size() > std::numeric_limits<std::uint32_t>::max())
-        file.fail("glTF", "a file below 4 GiB", fmt::format("{} bytes", bytes.size()));
+    std::vector<std::uint8_t> bytes = readBytes(path);
     FolderAccess access{path.parent_path(), {}};
+    prepare(file, bytes);
     parse(file, bytes, access);
     checkVersion(file);
     file.size = bytes.size();
     for (const tinygltf::Buffer& buffer : file.model.buffers)
         file.size += buffer.data.size();
+    decodeMeshopt(file);
+    decodeDraco(file);
     return file;
 }
 

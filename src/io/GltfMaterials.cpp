@@ -2,72 +2,91 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstring>
-#include <map>
-#include <optional>
 #include <span>
 
 #include <fmt/format.h>
 
-#include "io/Files.h"
-#include "io/GltfAccessor.h"
+#include "io/GltfCompressed.h"
+#include "io/GltfImages.h"
 
 namespace limpid::io {
 
 namespace {
 
-constexpr std::size_t maxEncodedBytes = 1u << 30; ///< tinygltf counts them in an int
+constexpr int samplerClamp = 33071;
+constexpr int samplerMirror = 33648;
+constexpr int samplerNearest = 9728;
 
-std::uint8_t reduceTo8Bits(const unsigned char* bytes) {
-    std::uint16_t value;
-    std::memcpy(&value, bytes, sizeof value);
-    return static_cast<std::uint8_t>((value + 128) / 257);
+/// A texture as a material refers to it: tinygltf has two types for that.
+struct TextureUse {
+    std::string place;
+    int index;
+    int texCoord;
+    const tinygltf::ExtensionMap& extensions;
+};
+
+TextureUse baseColorUse(const GltfFile& file, std::size_t material) {
+    const auto& info = file.model.materials[material].pbrMetallicRoughness.baseColorTexture;
+    return {fmt::format("materials[{}].pbrMetallicRoughness.baseColorTexture", material), info.index,
+            info.texCoord, info.extensions};
 }
 
-std::optional<Image> decode(const GltfFile& file, int index) {
-    const tinygltf::Image& source = file.model.images[static_cast<std::size_t>(index)];
-    const std::string place = fmt::format("images[{}]", index);
-    std::span<const std::uint8_t> encoded(source.image);
-    if (source.bufferView >= 0) encoded = bufferViewBytes(file, place + ".bufferView", source.bufferView);
-    tinygltf::Image decoded;
-    std::string error, warning;
-    if (encoded.empty()) error = "it could not be read";
-    if (encoded.size() > maxEncodedBytes) error = "it is too large";
-    if (!error.empty() || !tinygltf::LoadImageData(&decoded, index, &error, &warning, 0, 0, encoded.data(),
-                                                   static_cast<int>(encoded.size()), nullptr)) {
-        fmt::print(stderr, "{}: {}: warning: texture left out: {}\n", file.name, place, oneLine(error));
-        return std::nullopt;
-    }
-    Image image{decoded.width, decoded.height, std::move(decoded.image)};
-    if (decoded.bits == 16) {
-        const std::size_t count = image.rgba.size() / 2;
-        for (std::size_t i = 0; i < count; ++i)
-            image.rgba[i] = reduceTo8Bits(&image.rgba[2 * i]);
-        image.rgba.resize(count);
-    }
-    return image;
+TextureUse normalUse(const GltfFile& file, std::size_t material) {
+    const auto& info = file.model.materials[material].normalTexture;
+    return {fmt::format("materials[{}].normalTexture", material), info.index, info.texCoord, info.extensions};
 }
 
-/// The file's image behind a material's base colour, -1 for none.
-int imageOf(const GltfFile& file, const std::string& place, const tinygltf::TextureInfo& info) {
-    if (info.index == -1) return -1;
-    file.requireIndex(place + ".index", info.index, file.model.textures.size());
-    const int source = file.model.textures[static_cast<std::size_t>(info.index)].source;
-    if (source == -1) return -1;
-    file.requireIndex(fmt::format("textures[{}].source", info.index), source, file.model.images.size());
-    return source;
+/// Null without a texture.
+const tinygltf::Texture* textureOf(const GltfFile& file, const TextureUse& use) {
+    if (use.index == -1) return nullptr;
+    file.requireIndex(use.place + ".index", use.index, file.model.textures.size());
+    return &file.model.textures[static_cast<std::size_t>(use.index)];
 }
 
-Material convert(const GltfFile& file, const std::string& place,
-                 const tinygltf::PbrMetallicRoughness& source) {
+/// The file's image behind a texture, -1 for none.
+int imageOf(const GltfFile& file, const TextureUse& use) {
+    const tinygltf::Texture* texture = textureOf(file, use);
+    if (!texture || texture->source == -1) return -1;
+    file.requireIndex(fmt::format("textures[{}].source", use.index), texture->source,
+                      file.model.images.size());
+    return texture->source;
+}
+
+Wrap wrapOf(int mode) {
+    return mode == samplerClamp ? Wrap::Clamp : mode == samplerMirror ? Wrap::Mirror : Wrap::Repeat;
+}
+
+void readSampler(const GltfFile& file, const TextureUse& use, Material& material) {
+    const tinygltf::Texture* texture = textureOf(file, use);
+    if (!texture || texture->sampler == -1) return;
+    file.requireIndex(fmt::format("textures[{}].sampler", use.index), texture->sampler,
+                      file.model.samplers.size());
+    const tinygltf::Sampler& sampler = file.model.samplers[static_cast<std::size_t>(texture->sampler)];
+    material.baseColorWrapS = wrapOf(sampler.wrapS);
+    material.baseColorWrapT = wrapOf(sampler.wrapT);
+    material.baseColorNearest = sampler.magFilter == samplerNearest;
+}
+
+float finiteFactor(const GltfFile& file, const std::string& place, double factor) {
+    if (!(std::abs(factor) <= 1e30)) file.fail(place, "finite numbers", fmt::format("{}", factor));
+    return static_cast<float>(factor);
+}
+
+Material convert(const GltfFile& file, std::size_t index) {
+    const tinygltf::Material& source = file.model.materials[index];
+    const std::string place = fmt::format("materials[{}]", index);
     Material material;
     for (int c = 0; c < 4; ++c) {
-        const double factor = source.baseColorFactor.at(static_cast<std::size_t>(c));
-        if (!std::isfinite(factor))
-            file.fail(place + ".baseColorFactor", "finite numbers", fmt::format("{}", factor));
-        material.baseColor[c] = static_cast<float>(std::clamp(factor, 0.0, 1.0));
+        const double factor = source.pbrMetallicRoughness.baseColorFactor.at(static_cast<std::size_t>(c));
+        const float value = finiteFactor(file, place + ".pbrMetallicRoughness.baseColorFactor", factor);
+        material.baseColor[c] = std::clamp(value, 0.0f, 1.0f);
     }
+    // A later version's modes count as the default, as glTF wants it of versions with the same first number.
+    if (source.alphaMode == "MASK") material.alphaMode = AlphaMode::Mask;
+    if (source.alphaMode == "BLEND") material.alphaMode = AlphaMode::Blend;
+    material.alphaCutoff = std::max(finiteFactor(file, place + ".alphaCutoff", source.alphaCutoff), 0.0f);
+    material.doubleSided = source.doubleSided;
+    material.normalScale = finiteFactor(file, place + ".normalTexture.scale", source.normalTexture.scale);
     return material;
 }
 
@@ -87,30 +106,49 @@ void readNumbers(const GltfFile& file, const std::string& place, const tinygltf:
         file.fail(place + "." + key, fmt::format("{} finite number(s)", values.size()), "something else");
 }
 
-} // namespace
-
-TextureMapping textureMapping(const GltfFile& file, int material) {
-    TextureMapping mapping;
-    if (material < 0 || static_cast<std::size_t>(material) >= file.model.materials.size()) return mapping;
-    const auto& info =
-        file.model.materials[static_cast<std::size_t>(material)].pbrMetallicRoughness.baseColorTexture;
-    mapping.texCoord = info.texCoord;
-    const auto extension = info.extensions.find("KHR_texture_transform");
-    if (extension == info.extensions.end() || !extension->second.IsObject()) return mapping;
-    const tinygltf::Value& object = extension->second;
-    const std::string place =
-        fmt::format("materials[{}].pbrMetallicRoughness.baseColorTexture.KHR_texture_transform", material);
-    double offset[2] = {0, 0}, scale[2] = {1, 1}, rotation[1] = {0}, texCoord[1] = {double(info.texCoord)};
-    readNumbers(file, place, object, "offset", offset);
-    readNumbers(file, place, object, "scale", scale);
-    readNumbers(file, place, object, "rotation", rotation);
-    readNumbers(file, place, object, "texCoord", texCoord);
+TextureMapping mappingOf(const GltfFile& file, const TextureUse& use) {
+    TextureMapping mapping{use.texCoord};
+    const tinygltf::Value* object = extensionObject(use.extensions, "KHR_texture_transform");
+    if (!object) return mapping;
+    const std::string place = use.place + ".KHR_texture_transform";
+    double offset[2] = {0, 0}, scale[2] = {1, 1}, rotation[1] = {0}, texCoord[1] = {double(use.texCoord)};
+    readNumbers(file, place, *object, "offset", offset);
+    readNumbers(file, place, *object, "scale", scale);
+    readNumbers(file, place, *object, "rotation", rotation);
+    readNumbers(file, place, *object, "texCoord", texCoord);
     mapping.texCoord = static_cast<int>(std::clamp(texCoord[0], 0.0, 1e6));
-    // The sign is that of the Khronos sample viewer: counter-clockwise in the picture, whose v points down.
+    // The extension's matrices, multiplied: offset · rotation · scale. As v points down in a picture, this
+    // turns the coordinates counter-clockwise in it.
     const double c = std::cos(rotation[0]), s = std::sin(rotation[0]);
     mapping.transform =
         glm::dmat3(c * scale[0], -s * scale[0], 0, s * scale[1], c * scale[1], 0, offset[0], offset[1], 1);
     return mapping;
+}
+
+bool same(const TextureMapping& a, const TextureMapping& b) {
+    return a.texCoord == b.texCoord && a.transform == b.transform;
+}
+
+/// The textures of a material that is in use.
+void addTextures(const GltfFile& file, std::size_t index, ImageSet& images, Material& material) {
+    const TextureUse color = baseColorUse(file, index), normal = normalUse(file, index);
+    const int colorImage = imageOf(file, color), normalImage = imageOf(file, normal);
+    if (colorImage >= 0) material.baseColorImage = images.add(colorImage, true);
+    // Vertices have one pair of coordinates and materials one way to wrap them, those of the base colour. A
+    // normal map that lies on the surface in another way is left out.
+    if (normalImage >= 0 && (colorImage < 0 || same(mappingOf(file, color), mappingOf(file, normal))))
+        material.normalImage = images.add(normalImage, false);
+    readSampler(file, colorImage >= 0 ? color : normal, material);
+}
+
+} // namespace
+
+TextureMapping textureMapping(const GltfFile& file, int material) {
+    if (material < 0 || static_cast<std::size_t>(material) >= file.model.materials.size()) return {};
+    const auto index = static_cast<std::size_t>(material);
+    const TextureUse color = baseColorUse(file, index);
+    const TextureUse normal = normalUse(file, index);
+    return mappingOf(file, imageOf(file, color) < 0 && normal.index != -1 ? normal : color);
 }
 
 int materialIndex(const GltfFile& file, const std::string& place, const tinygltf::Primitive& primitive) {
@@ -121,23 +159,14 @@ int materialIndex(const GltfFile& file, const std::string& place, const tinygltf
 }
 
 void addMaterials(const GltfFile& file, Mesh& mesh) {
-    const auto& sources = file.model.materials;
-    std::vector<bool> used(sources.size() + 1, false);
+    const std::size_t count = file.model.materials.size();
+    std::vector<bool> used(count + 1, false);
     for (const MeshPart& part : mesh.parts)
         used[static_cast<std::size_t>(part.material)] = true;
-    std::map<int, int> decoded; // the file's image to the mesh's, -1 for one that cannot be had
-    for (std::size_t i = 0; i < sources.size(); ++i) {
-        const std::string place = fmt::format("materials[{}].pbrMetallicRoughness", i);
-        const tinygltf::PbrMetallicRoughness& source = sources[i].pbrMetallicRoughness;
-        mesh.materials.push_back(convert(file, place, source));
-        const int index = used[i] ? imageOf(file, place + ".baseColorTexture", source.baseColorTexture) : -1;
-        if (index < 0) continue;
-        if (!decoded.contains(index)) {
-            std::optional<Image> image = decode(file, index);
-            decoded[index] = image ? static_cast<int>(mesh.images.size()) : -1;
-            if (image) mesh.images.push_back(std::move(*image));
-        }
-        mesh.materials.back().baseColorImage = decoded[index];
+    ImageSet images(file, mesh.images);
+    for (std::size_t i = 0; i < count; ++i) {
+        mesh.materials.push_back(convert(file, i));
+        if (used[i]) addTextures(file, i, images, mesh.materials.back());
     }
     if (used.back() || mesh.materials.empty()) mesh.materials.push_back(Material{glm::vec4(1.0f), -1});
 }

@@ -7,15 +7,15 @@
 namespace limpid::io {
 
 /// Fills `mesh.materials` with the file's materials in their order, after them the format's default (white)
-/// if a part uses it or there are no others, and `mesh.images` with the base colour textures of those that
-/// parts use. An image that is missing or cannot be decoded costs one line on stderr, and its materials keep
-/// their factor. Throws InputError for an index or factor that breaks the format.
+/// if a part uses it or there are no others, and `mesh.images` with the base colour textures and normal maps
+/// of those that parts use. An image that is missing or cannot be decoded costs one line on stderr, and its
+/// materials do without it. Throws InputError for an index or factor that breaks the format.
 void addMaterials(const GltfFile& file, Mesh& mesh);
 
 /// The material index that `addMaterials` will give to a primitive. Throws InputError.
 int materialIndex(const GltfFile& file, const std::string& place, const tinygltf::Primitive& primitive);
 
-/// How a material's base colour texture is put onto a surface.
+/// How a material's base colour texture is put onto a surface; its normal map if it has only that.
 struct TextureMapping {
     int texCoord = 0;          ///< the set of texture coordinates
     glm::dmat3 transform{1.0}; ///< of homogeneous (u, v, 1), from KHR_texture_transform

@@ -31,23 +31,18 @@ glm::dmat4 localTransform(const GltfFile& file, std::size_t index) {
     requireNumbers(file, place + ".translation", node.translation, 3);
     requireNumbers(file, place + ".rotation", node.rotation, 4);
     requireNumbers(file, place + ".scale", node.scale, 3);
-    glm::dmat4 transform(1.0);
     if (!node.matrix.empty()) {
+        glm::dmat4 transform;
         for (int i = 0; i < 16; ++i)
             transform[i / 4][i % 4] = node.matrix[static_cast<std::size_t>(i)];
         return transform;
     }
-    if (const auto& t = node.translation; !t.empty())
-        transform = glm::translate(transform, {t[0], t[1], t[2]});
-    if (const auto& r = node.rotation; !r.empty()) {
-        const glm::dquat rotation(r[3], r[0], r[1], r[2]);
-        const double length = glm::length(rotation);
-        if (!(length > 0) || !std::isfinite(length))
-            file.fail(place + ".rotation", "a quaternion of length 1", fmt::format("length {}", length));
-        transform *= glm::mat4_cast(rotation / length);
-    }
-    if (const auto& s = node.scale; !s.empty()) transform = glm::scale(transform, {s[0], s[1], s[2]});
-    return transform;
+    const auto& t = node.translation;
+    const auto& r = node.rotation;
+    const auto& s = node.scale;
+    return composeTransform(file, place, t.empty() ? glm::dvec3(0) : glm::dvec3(t[0], t[1], t[2]),
+                            r.empty() ? glm::dvec4(0, 0, 0, 1) : glm::dvec4(r[0], r[1], r[2], r[3]),
+                            s.empty() ? glm::dvec3(1) : glm::dvec3(s[0], s[1], s[2]));
 }
 
 /// Each node's parent; throws unless every node has at most one.
@@ -114,33 +109,63 @@ std::vector<std::size_t> rootNodes(const GltfFile& file, const std::vector<int>&
     return roots;
 }
 
-} // namespace
-
-std::vector<MeshInstance> sceneMeshes(const GltfFile& file) {
-    struct Visit {
+/// Calls `visit(node, transform)` for `roots` and all below them, in the file's order.
+template <typename Visit>
+void walk(const GltfFile& file, const std::vector<std::size_t>& roots, const Visit& visit) {
+    struct Step {
         std::size_t node;
         glm::dmat4 parent;
     };
-    const std::vector<int> parents = findParents(file);
-    checkCycles(file, parents);
-    const std::vector<std::size_t> roots = rootNodes(file, parents);
-    std::vector<Visit> pending; // not recursion: files nest nodes as deep as they like
+    std::vector<Step> pending; // not recursion: files nest nodes as deep as they like
     for (auto root = roots.rbegin(); root != roots.rend(); ++root)
         pending.push_back({*root, glm::dmat4(1.0)});
-    std::vector<MeshInstance> instances;
     while (!pending.empty()) {
-        const Visit visit = pending.back();
+        const Step step = pending.back();
         pending.pop_back();
-        const tinygltf::Node& node = file.model.nodes[visit.node];
-        const glm::dmat4 transform = visit.parent * localTransform(file, visit.node);
-        if (node.mesh != -1) {
-            file.requireIndex(nodePlace(visit.node) + ".mesh", node.mesh, file.model.meshes.size());
-            instances.push_back({node.mesh, transform});
-        }
-        for (auto child = node.children.rbegin(); child != node.children.rend(); ++child)
+        const glm::dmat4 transform = step.parent * localTransform(file, step.node);
+        visit(step.node, transform);
+        const std::vector<int>& children = file.model.nodes[step.node].children;
+        for (auto child = children.rbegin(); child != children.rend(); ++child)
             pending.push_back({static_cast<std::size_t>(*child), transform});
     }
-    return instances;
+}
+
+} // namespace
+
+glm::dmat4 composeTransform(const GltfFile& file, const std::string& place, const glm::dvec3& translation,
+                            const glm::dvec4& rotation, const glm::dvec3& scale) {
+    const double length = glm::length(rotation);
+    if (!(length > 0) || !std::isfinite(length))
+        file.fail(place + ".rotation", "a quaternion of length 1", fmt::format("length {}", length));
+    const glm::dvec4 unit = rotation / length;
+    return glm::translate(glm::dmat4(1.0), translation) *
+           glm::mat4_cast(glm::dquat(unit.w, unit.x, unit.y, unit.z)) * glm::scale(glm::dmat4(1.0), scale);
+}
+
+std::vector<SceneNode> sceneNodes(const GltfFile& file) {
+    const std::vector<int> parents = findParents(file);
+    checkCycles(file, parents);
+    std::vector<SceneNode> found;
+    walk(file, rootNodes(file, parents), [&](std::size_t index, const glm::dmat4& transform) {
+        const tinygltf::Node& node = file.model.nodes[index];
+        if (node.mesh != -1)
+            file.requireIndex(nodePlace(index) + ".mesh", node.mesh, file.model.meshes.size());
+        if (node.camera != -1)
+            file.requireIndex(nodePlace(index) + ".camera", node.camera, file.model.cameras.size());
+        if (node.mesh != -1 || node.camera != -1 || node.extensions.contains("KHR_lights_punctual"))
+            found.push_back({index, transform});
+    });
+    return found;
+}
+
+std::vector<glm::dmat4> nodeTransforms(const GltfFile& file) {
+    const std::vector<int> parents = findParents(file);
+    std::vector<std::size_t> roots;
+    for (std::size_t i = 0; i < parents.size(); ++i)
+        if (parents[i] == noParent) roots.push_back(i);
+    std::vector<glm::dmat4> transforms(parents.size());
+    walk(file, roots, [&](std::size_t index, const glm::dmat4& transform) { transforms[index] = transform; });
+    return transforms;
 }
 
 } // namespace limpid::io

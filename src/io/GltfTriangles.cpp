@@ -29,7 +29,7 @@ std::array<std::size_t, 3> cornersOf(int mode, std::size_t i) {
 std::vector<std::uint32_t> triangleCorners(const GltfFile& file, const std::string& place,
                                            const tinygltf::Primitive& primitive, std::size_t vertexCount,
                                            std::size_t limit) {
-    const AccessorKind kind{TINYGLTF_TYPE_SCALAR,
+    const AccessorKind kind{{TINYGLTF_TYPE_SCALAR},
                             {TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT,
                              TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT},
                             "scalars of 8, 16 or 32 bits without sign"};

@@ -40,9 +40,9 @@ Scene loadScene(const fs::path& file, const std::vector<Override>& overrides) {
     if (suffix == ".toml") {
         root = readToml(file);
     } else if (suffix == ".glb" || suffix == ".gltf") {
-        const auto mesh = std::make_shared<const Mesh>(loadGltf(file));
-        meshes[fs::weakly_canonical(file)] = mesh;
-        root = defaultScene(file, *mesh);
+        Model model = loadModel(file);
+        root = defaultScene(file, model);
+        meshes[fs::weakly_canonical(file)] = std::make_shared<const Mesh>(std::move(model.mesh));
     } else {
         throw InputError(fmt::format("{}: expected a .toml, .glb or .gltf file, found \"{}\"",
                                      oneLine(file.string()), oneLine(suffix)));

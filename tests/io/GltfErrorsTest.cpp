@@ -198,10 +198,11 @@ const BrokenCase structure[] = {
      "1e+300"},
     {"extension",
      [](SmallGltf& g) {
-         g.json["extensionsRequired"] = {"KHR_materials_unlit", "KHR_draco_mesh_compression"};
+         g.json["extensionsRequired"] = {"KHR_materials_unlit", "KHR_texture_basisu"};
      },
-     "extensionsRequired: expected KHR_mesh_quantization, KHR_texture_transform or KHR_materials_*, found "
-     "\"KHR_draco_mesh_compression\""},
+     "extensionsRequired: expected KHR_mesh_quantization, KHR_texture_transform, KHR_draco_mesh_compression, "
+     "EXT_meshopt_compression, KHR_meshopt_compression, EXT_mesh_gpu_instancing, KHR_lights_punctual or "
+     "KHR_materials_*, found \"KHR_texture_basisu\""},
     {"version", [](SmallGltf& g) { g.json["asset"]["version"] = "1.0"; },
      "asset.version: expected 2.0, found \"1.0\""},
     {"no triangles", [](SmallGltf& g) { primitive(g)["mode"] = 1; },

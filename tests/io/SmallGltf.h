@@ -12,6 +12,7 @@ namespace limpid::test {
 struct SmallGltf {
     nlohmann::json json = {{"asset", {{"version", "2.0"}}}};
     std::string bytes; ///< of buffer 0
+    nlohmann::json otherBuffers = nlohmann::json::array();
 
     template <typename T>
     static constexpr int componentType() {
@@ -59,12 +60,16 @@ struct SmallGltf {
         if (!bytes.empty() && !whole.contains("buffers"))
             whole["buffers"] = {{{"byteLength", bytes.size()},
                                  {"uri", "data:application/octet-stream;base64," + base64(bytes)}}};
+        for (const nlohmann::json& other : otherBuffers)
+            whole["buffers"].push_back(other);
         return whole.dump();
     }
 
     std::string glb() const {
         nlohmann::json whole = json;
         if (!whole.contains("buffers")) whole["buffers"] = {{{"byteLength", bytes.size()}}};
+        for (const nlohmann::json& other : otherBuffers)
+            whole["buffers"].push_back(other);
         std::string head = whole.dump(), body = bytes;
         head.resize((head.size() + 3) / 4 * 4, ' ');
         body.resize((body.size() + 3) / 4 * 4);
