@@ -3,7 +3,7 @@
 // Out, RGBA32F, added: W/m² on the receiver's own surface.
 #include "include/box.glsl"
 #include "include/octahedral.glsl"
-#include "include/optics.glsl"
+#include "include/surface_shadow.glsl"
 layout(binding = 0) uniform sampler2D positionMap; // RG32F
 layout(binding = 1) uniform sampler2D diffuseMap;  // alpha: share of the mean light
 layout(binding = 2) uniform sampler2D normalMap;   // RG16
@@ -12,6 +12,7 @@ layout(location = 0) uniform float planeDepth;     // m
 layout(location = 1) uniform int planeNumber;
 layout(location = 2) uniform vec3 strength;        // of the light, W per unit of flux
 layout(location = 3) uniform vec3 extinctionPerMetre;
+layout(location = 4) uniform int testSurfaceShadow; // 0: nothing stands out of the water
 in vec2 slope;
 in float startDepth;
 layout(location = 0) out vec4 irradiance;
@@ -33,5 +34,9 @@ void main() {
     vec3 normal = boxDirection(octahedralDecode(texelFetch(normalMap, texel, 0).xy));
     float metres = (position.x - startDepth) * length(along);
     float lit = texelFetch(diffuseMap, texel, 0).a * max(-dot(normal, along), 0.0);
+    if (testSurfaceShadow != 0 && lit > 0.0) {
+        vec2 start = gl_FragCoord.xy * boxExtent.w - slope * (planeDepth - startDepth);
+        lit *= surfaceVisibility(boxPoint(vec3(start, startDepth)), 0.0);
+    }
     irradiance = vec4(strength * extinction(extinctionPerMetre, metres) * (density * lit), 1.0);
 }

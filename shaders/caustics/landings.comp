@@ -1,19 +1,12 @@
 // Where light lands, ray by ray: the count that the finished maps are held against. Each beam is split into rays of
 // equal flux; each ray is followed through the scene depth map to the first receiver.
 // In: indices, beam origins and directions. Out: a ray: landing point (m from the scene's origin), w = number of
-// the receiver, -1 for a ray that passes all of them, -2 for one that lands in what the mean light leaves dark.
+// the receiver, -1 for a ray that passes all of them, -2 for one that lands in what the mean light leaves dark,
+// -3 for one that something above the water takes.
 #include "include/scene_depth.glsl"
-#include "include/triangle.glsl"
+#include "include/beam_rays.glsl"
+#include "include/surface_shadow.glsl"
 layout(local_size_x = 64) in;
-layout(std430, binding = 0) readonly buffer Indices { uint indices[]; };
-layout(std430, binding = 3) readonly buffer BeamOrigins { vec4 origins[]; };
-layout(std430, binding = 4) readonly buffer BeamDirections { vec4 directions[]; };
-layout(std430, binding = 6) writeonly buffer Landings { vec4 landings[]; };
-layout(location = 0) uniform int rayCount;
-layout(location = 1) uniform int firstTriangle;
-layout(location = 2) uniform int raysPerBeam;
-layout(location = 3) uniform float farthest; // m of water below which nothing lies
-
 const int steps = 96;
 const int halvings = 14;
 const float nothing = 1e29;
@@ -50,7 +43,7 @@ vec4 land(vec3 from, vec3 direction) {
         }
         vec3 point = from + high * direction;
         ivec2 size = textureSize(sceneDepth, 0);
-        float footprint = max(sceneDepthRect.z / float(size.x), sceneDepthRect.w / float(size.y));
+        float footprint = sceneDepthTexel();
         // Slipping behind an edge is a step that halving cannot close.
         if (-atHigh.x > 8.0 * footprint) return vec4(point, atLow.y > nothing ? -1.0 : -2.0);
         vec2 uv = sceneDepthUv(entryPoint(point));
@@ -62,13 +55,6 @@ vec4 land(vec3 from, vec3 direction) {
 void main() {
     int ray = int(gl_GlobalInvocationID.y * gl_NumWorkGroups.x * gl_WorkGroupSize.x + gl_GlobalInvocationID.x);
     if (ray >= rayCount) return;
-    int triangle = firstTriangle + ray / raysPerBeam;
-    vec3 weight = trianglePoint(ray % raysPerBeam);
-    vec3 from = vec3(0.0), direction = vec3(0.0);
-    for (int i = 0; i < 3; ++i) {
-        uint vertex = indices[3 * triangle + i];
-        from += weight[i] * origins[vertex].xyz;
-        direction += weight[i] * directions[vertex].xyz;
-    }
-    landings[ray] = land(from, normalize(direction));
+    Ray r = beamRay(ray);
+    landings[ray] = isLit(r.from) ? land(r.from, r.direction) : vec4(r.from, -3.0);
 }

@@ -1,9 +1,10 @@
-// Which landings a receiver's level map has a texel for. Run once for each receiver, and once with receiverNumber
-// -1 for the rays that no receiver takes.
+// Which landings a level map has a texel for. Run once for each map, and last with receiverNumber -1 for the rays that
+// no map has taken. A ray that is counted is marked -4.
 // In: landings, beam origins, flux. Out, added a beam: missed, rejected, absorbed, scattered, in W, mean of R, G, B.
 #include "include/box.glsl"
 #include "include/octahedral.glsl"
 #include "include/optics.glsl"
+#include "include/triangle.glsl"
 layout(local_size_x = 64) in;
 layout(binding = 0) uniform sampler2D positionMap;
 layout(binding = 1) uniform sampler2D diffuseMap;
@@ -11,22 +12,23 @@ layout(binding = 2) uniform sampler2D normalMap;
 layout(std430, binding = 0) readonly buffer Indices { uint indices[]; };
 layout(std430, binding = 3) readonly buffer BeamOrigins { vec4 origins[]; };
 layout(std430, binding = 5) readonly buffer BeamFlux { float flux[]; };
-layout(std430, binding = 6) readonly buffer Landings { vec4 landings[]; };
+layout(std430, binding = 6) buffer Landings { vec4 landings[]; };
 layout(std430, binding = 7) buffer Counts { vec4 counts[]; };
 layout(location = 0) uniform int beamCount;
 layout(location = 1) uniform int firstTriangle;
-layout(location = 2) uniform int raysPerBeam;
 layout(location = 3) uniform int receiverNumber;
 layout(location = 4) uniform vec3 strength;
 layout(location = 5) uniform vec3 absorption;
 layout(location = 6) uniform vec3 scattering;
 
-// The share of light at `point` that the level map takes: 0 where no texel of the neighbourhood shows this surface.
+const float counted = -4.0;
+const float shaded = -3.0;
+
+// The share of light at `point` that the level map takes; -1 where no texel of the neighbourhood shows this surface.
 float placedShare(vec3 point) {
     vec3 q = boxLocal(point);
     ivec2 center = ivec2(floor(q.xy / boxExtent.w));
-    float share = 0.0;
-    bool found = false;
+    float share = -1.0;
     for (int i = 0; i < 9; ++i) {
         ivec2 texel = center + ivec2(i % 3 - 1, i / 3 - 1);
         if (any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(texel, boxSize.xy))) continue;
@@ -37,8 +39,7 @@ float placedShare(vec3 point) {
         if (abs(position.x - q.z) > slack) continue;
         float lit = texelFetch(diffuseMap, texel, 0).a;
         if (texel == center) return lit;
-        share = found ? max(share, lit) : lit;
-        found = true;
+        share = max(share, lit);
     }
     return share;
 }
@@ -52,16 +53,19 @@ void main() {
     vec3 lost = absorption + scattering;
     vec4 sum = vec4(0.0);
     for (int i = 0; i < raysPerBeam; ++i) {
-        vec4 landing = landings[beam * raysPerBeam + i];
-        bool unplaced = landing.w < 0.0;
-        if (unplaced ? receiverNumber >= 0 : int(landing.w) != receiverNumber) continue;
+        int ray = beam * raysPerBeam + i;
+        vec4 landing = landings[ray];
+        bool last = receiverNumber < 0;
+        if (landing.w == counted || landing.w == shaded || (!last && int(landing.w) != receiverNumber)) continue;
+        float share = last ? 0.0 : placedShare(landing.xyz);
+        if (share < 0.0) continue;
+        landings[ray].w = counted;
         if (landing.w == -1.0) {
             sum.x += dot(perRay, vec3(1.0 / 3.0));
             continue;
         }
         vec3 arriving = perRay * extinction(lost, distance(from, landing.xyz));
         vec3 gone = (perRay - arriving) / max(lost, vec3(1e-20));
-        float share = unplaced ? 0.0 : placedShare(landing.xyz);
         sum.y += (1.0 - share) * dot(arriving, vec3(1.0 / 3.0));
         sum.z += dot(gone * absorption, vec3(1.0 / 3.0));
         sum.w += dot(gone * scattering, vec3(1.0 / 3.0));

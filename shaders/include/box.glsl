@@ -5,7 +5,10 @@ layout(std140, binding = 1) uniform BoxFrame {
     vec4 boxW;      // unit, down
     vec4 boxT;      // unit, along the light
     vec4 boxExtent; // along u, w, t, m; w: side of a texel, m
-    ivec4 boxSize;  // texels along u, w; reference planes asked for
+    ivec4 boxSize; // texels along u, w; reference planes asked for; this map's facing, + 8 for a mesh that is
+                    // not closed, + 16 for one that is and that the water's surface cuts open
+    vec4 facingLight;   // mean light, unit; w: faces whose normal is within this sine of being across it are steep
+    vec4 facingAxes[4]; // unit, across the mean light; w: 1 where there is a further map
 };
 
 // (along u, along w, depth) of a point, m.

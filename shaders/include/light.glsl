@@ -16,11 +16,16 @@ vec3 incidentDirection(vec3 surface) {
     return isPointLight() ? normalize(surface - lightPosition.xyz) : lightDirection.xyz;
 }
 
-// Where the mean light that reaches `point` crosses the flat surface.
+// Where the mean light that reaches `point` crosses the flat surface. Above the water it goes on as it would: a
+// triangle through the surface must not kink there, or what is left of it under water is drawn in the wrong place.
 vec3 entryPoint(vec3 point) {
-    float below = max(waterSurface.x - point.y, 0.0);
+    float below = waterSurface.x - point.y;
     if (!isPointLight()) return point - lightRefracted.xyz * (below / -lightRefracted.y);
     vec2 away = point.xz - lightPosition.xz;
+    if (below < 0.0) {
+        vec2 foot = lightPosition.xz + away * ((lightPosition.y - waterSurface.x) / max(lightPosition.y - point.y, 1e-6));
+        return vec3(foot.x, waterSurface.x, foot.y);
+    }
     float across = length(away);
     float x = flatCrossing(lightPosition.y - waterSurface.x, below, across, waterSurface.y);
     vec2 at = lightPosition.xz + (across > 0.0 ? away * (x / across) : vec2(0.0));

@@ -12,6 +12,12 @@ float distanceToPlane(vec3 entry, vec3 direction, vec3 point, vec3 normal) {
     return dot(normal, point - entry) / along;
 }
 
+// The longer side of a texel of the map, m.
+float sceneDepthTexel() {
+    vec2 texel = sceneDepthRect.zw / vec2(textureSize(sceneDepth, 0));
+    return max(texel.x, texel.y);
+}
+
 // The share of the mean light that reaches `point`, [0, 1]: the four nearest texels of the map, each asked whether
 // something lies before the point's tangent plane along its own ray, weighted bilinearly. The plane takes the
 // surface's slope out of the comparison; what remains is its curvature, and for the receiver itself
@@ -21,7 +27,7 @@ float meanVisibility(vec3 point, vec3 normal, int receiverNumber) {
     ivec2 size = textureSize(sceneDepth, 0);
     vec2 at = sceneDepthUv(entry) * vec2(size) - 0.5;
     vec2 base = floor(at), part = at - base;
-    float footprint = max(sceneDepthRect.z / float(size.x), sceneDepthRect.w / float(size.y));
+    float footprint = sceneDepthTexel();
     float lit = 0.0;
     for (int i = 0; i < 4; ++i) {
         ivec2 texel = clamp(ivec2(base) + ivec2(i & 1, i >> 1), ivec2(0), size - 1);

@@ -29,3 +29,6 @@ float surfaceVisibility(vec3 point, float slack) {
     }
     return lit;
 }
+
+// Whether light reaches a point of the surface, for counting ray by ray.
+bool isLit(vec3 surface) { return surfaceVisibility(surface, 0.0) >= 0.5; }

@@ -1,3 +1,6 @@
+// Rays that a beam is counted by, of equal flux.
+const int raysPerBeam = 16;
+
 // Evenly spread points of a triangle, as barycentric coordinates: the R2 sequence (Roberts 2018), folded at the
 // diagonal of the unit square.
 vec3 trianglePoint(int i) {

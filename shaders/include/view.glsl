@@ -32,7 +32,8 @@ vec3 viewCrossing(vec3 point) {
 // Clip coordinates in the underwater view: through the flat surface if the camera is above it. Depth is by metres
 // of water.
 vec4 underwaterClip(vec3 point) {
-    vec3 seenAt = cameraAbove() ? viewCrossing(point) : point;
+    // What stands out of the water is seen straight, and a triangle through the surface does not kink there.
+    vec3 seenAt = cameraAbove() && point.y < viewWater.x ? viewCrossing(point) : point;
     vec4 clip = viewProjection * vec4(seenAt, 1.0);
     float metres = distance(point, cameraAbove() ? seenAt : cameraPosition.xyz);
     return vec4(clip.xy * viewWater.z, 1.8 * (metres / waterExtinction.w - 0.5) * clip.w, clip.w);

@@ -3,7 +3,7 @@
 //        mean light is taken by something before it (cleared to 0, -1: no receiver).
 // Out 1, SRGB8_ALPHA8: base colour; alpha: the share of the mean light that reaches the texel.
 // Out 2, RG16: geometric normal facing the box's top, octahedral.
-#include "include/box.glsl"
+#include "include/facing.glsl"
 #include "include/octahedral.glsl"
 #include "include/planes.glsl"
 #include "include/scene_depth.glsl"
@@ -16,11 +16,16 @@ layout(location = 2) out vec2 outNormal;
 
 void main() {
     vec3 position = fragmentIn.position;
-    if (position.y > waterSurface.x || isHole()) discard;
+    if (position.y > waterSurface.x || isHole() || !belongsToMap(fragmentIn.faceNormal)) discard;
     vec3 normal = fragmentIn.faceNormal;
     if (dot(normal, boxT.xyz) > 0.0) normal = -normal;
     float depth = boxLocal(position).z;
-    float lit = testOcclusion != 0 ? meanVisibility(position, normal, receiverNumber) : 1.0;
+    vec3 asked = position;
+    // A face along the light is its own edge in the scene depth map: ask beside it.
+    if ((boxSize.w & 7) != 0) asked += normal * 2.0 * sceneDepthTexel();
+    float lit = testOcclusion != 0 ? meanVisibility(asked, normal, receiverNumber) : 1.0;
+    // The inside of a solid, seen where the surface cuts it open: no light is in there.
+    if ((boxSize.w & 16) != 0 && dot(fragmentIn.faceNormal, boxT.xyz) > 0.0) lit = 0.0;
     int plane = lit > 0.0 ? planeIndex(depth, boxExtent.z, boxSize.z) : -2;
     outPosition = vec2(depth, float(plane));
     outDiffuse = vec4(baseColor().rgb, lit);

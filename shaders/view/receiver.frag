@@ -2,7 +2,7 @@
 // Out 0, RGBA32F: radiance that leaves the receiver, W/(m² sr); alpha 1.
 // Out 1, RGBA32F: position, m from the scene's origin; metres of water between it and the surface along the view
 //        ray (from the camera itself if that is below).
-#include "include/box.glsl"
+#include "include/facing.glsl"
 #include "include/view.glsl"
 #include "include/receiver_fragment.glsl"
 #include "include/surface_shadow.glsl"
@@ -88,6 +88,7 @@ void main() {
         bool lit = dot(face, view) * facing > 0.0;
         // Flux goes by the face, the look by the shading normal.
         float smoothing = clamp(-dot(shading, boxT.xyz) / (sign(facing) * max(abs(facing), 0.05)), 0.0, 1.5);
+        lit = lit && belongsToMap(face);
         if (lit) irradiance = castIrradiance(face) * smoothing;
     }
     if (strength != vec3(0.0)) irradiance += straightIrradiance(shading);

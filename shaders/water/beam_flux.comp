@@ -1,15 +1,15 @@
 // What each water triangle takes from the light, after Fresnel: in m² for a directional light (W per W/m²), in sr
 // for a point light (W per W/sr). Flux goes by the triangle's own face; the vertex normals only bend the rays.
-// In: vertex indices, beam origins. Out: one float a triangle.
+// In: vertex indices, beam origins. Out, a triangle: flux as if nothing stood out of the water; the share of it that
+// things above the water leave.
 #include "include/surface_shadow.glsl"
 #include "include/triangle.glsl"
 layout(local_size_x = 64) in;
 layout(std430, binding = 0) readonly buffer Indices { uint indices[]; };
 layout(std430, binding = 3) readonly buffer BeamOrigins { vec4 origins[]; };
 layout(std430, binding = 5) writeonly buffer BeamFlux { float flux[]; };
+layout(std430, binding = 9) writeonly buffer BeamLit { float lit[]; };
 layout(location = 0) uniform int triangleCount;
-
-const int samples = 8; // of what things above the water leave of a triangle
 
 // Solid angle of a triangle seen from the origin, sr (van Oosterom and Strackee 1983); negative from behind.
 float solidAngle(vec3 a, vec3 b, vec3 c) {
@@ -31,13 +31,14 @@ void main() {
     } else {
         seen = -0.5 * dot(cross(b.xyz - a.xyz, c.xyz - a.xyz), lightDirection.xyz);
     }
-    float lit = 1.0;
-    if (surfaceShadowRect.z > 0.0 && seen > 0.0) {
-        lit = 0.0;
-        for (int i = 0; i < samples; ++i) {
+    flux[index] = max(seen, 0.0) * (a.w + b.w + c.w) / 3.0;
+    float share = 1.0;
+    if (surfaceShadowRect.z > 0.0) {
+        share = 0.0;
+        for (int i = 0; i < raysPerBeam; ++i) {
             vec3 w = trianglePoint(i);
-            lit += surfaceVisibility(w.x * a.xyz + w.y * b.xyz + w.z * c.xyz, 0.0) / float(samples);
+            if (isLit(w.x * a.xyz + w.y * b.xyz + w.z * c.xyz)) share += 1.0 / float(raysPerBeam);
         }
     }
-    flux[index] = lit * max(seen, 0.0) * (a.w + b.w + c.w) / 3.0;
+    lit[index] = share;
 }

@@ -27,6 +27,7 @@ io::BakedMap bakedMap(const Engine& engine, const ReceiverMaps& maps) {
     TexelFrame frame = maps.level.frame;
     frame.box.corner -= engine.origin();
     baked.worldToTexture = frame.worldToTexture();
+    baked.facing = maps.level.facing;
     baked.planesRequested = maps.level.requestedPlanes;
     baked.planesDrawn = int(maps.level.planes.size());
     baked.deposited = data.deposited;

@@ -3,8 +3,9 @@
 namespace limpid {
 
 namespace {
-enum Uniform { PlaneDepth, PlaneNumber, Strength, ExtinctionPerMetre };
-}
+enum Uniform { PlaneDepth, PlaneNumber, Strength, ExtinctionPerMetre, TestSurfaceShadow };
+constexpr GLuint surfaceShadowUnit = 3;
+} // namespace
 
 DrawnPlanes::DrawnPlanes(gl::Context& context)
     : _context(context), _footprints(context),
@@ -24,6 +25,9 @@ void DrawnPlanes::fill(CausticMap& caustics, const LevelMap& map, const Beams& b
     map.position.bind(0);
     map.diffuse.bind(1);
     map.normal.bind(2);
+    beams.frame.bindUniform(0);
+    if (beams.surfaceShadow) beams.surfaceShadow->bind(surfaceShadowUnit);
+    _program.set(TestSurfaceShadow, beams.surfaceShadow ? 1 : 0);
     _footprints.areas().bindStorage(8);
     _footprints.vertexArray().bind();
     _program.use();

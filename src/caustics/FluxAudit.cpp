@@ -7,18 +7,18 @@ namespace limpid {
 namespace {
 
 constexpr int groupSize = 64;
-constexpr int raysPerBeam = 16;
+constexpr int raysPerBeam = 16;    // as in shaders/include/triangle.glsl
 constexpr int beamsAtOnce = 65536; // bounds the landings to 16 MiB
-enum LandUniform { RayCount, LandFirstTriangle, LandRaysPerBeam, Farthest };
-enum PlaceUniform {
-    BeamCount,
-    PlaceFirstTriangle,
-    PlaceRaysPerBeam,
-    ReceiverNumber,
-    Strength,
-    Absorption,
-    Scattering
-};
+enum LandUniform { RayCount, LandFirstTriangle, Farthest = 3, MetReceiver };
+constexpr int unplaced = -1; // for the rays that no map has taken
+enum PlaceUniform { BeamCount, PlaceFirstTriangle, ReceiverNumber = 3, Strength, Absorption, Scattering };
+
+void bindMap(const LevelMap& map) {
+    map.box.bindUniform(1);
+    map.position.bind(0);
+    map.diffuse.bind(1);
+    map.normal.bind(2);
+}
 
 double meanOf(const glm::dvec3& rgb) {
     return (rgb.x + rgb.y + rgb.z) / 3;
@@ -27,23 +27,42 @@ double meanOf(const glm::dvec3& rgb) {
 } // namespace
 
 FluxAudit::FluxAudit(gl::Context& context)
-    : _context(context), _land({"caustics/landings.comp"}), _place({"caustics/place.comp"}) {}
+    : _context(context), _land({"caustics/landings.comp"}), _meet({"caustics/landings_facing.comp"}),
+      _place({"caustics/place.comp"}) {}
+
+void FluxAudit::land(int firstTriangle, int beamCount, const gl::Texture& sceneDepth, double farthest) {
+    sceneDepth.bind(1);
+    _land.set(RayCount, beamCount * raysPerBeam);
+    _land.set(LandFirstTriangle, firstTriangle);
+    _land.set(Farthest, float(farthest));
+    _land.dispatch(std::int64_t(beamCount) * raysPerBeam, groupSize);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+}
+
+void FluxAudit::meetFurtherMap(int firstTriangle, int beamCount, const Placed& placed, double farthest) {
+    _meet.set(RayCount, beamCount * raysPerBeam);
+    _meet.set(LandFirstTriangle, firstTriangle);
+    _meet.set(Farthest, float(farthest));
+    _meet.set(MetReceiver, placed.receiver);
+    _meet.dispatch(std::int64_t(beamCount) * raysPerBeam, groupSize);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+}
 
 void FluxAudit::place(int firstTriangle, int beamCount, int receiverNumber) {
     _place.set(BeamCount, beamCount);
     _place.set(PlaceFirstTriangle, firstTriangle);
-    _place.set(PlaceRaysPerBeam, raysPerBeam);
     _place.set(ReceiverNumber, receiverNumber);
     _place.dispatch(beamCount, groupSize);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
 FluxBalance FluxAudit::count(const Beams& beams, const WaterMesh& surface, const Water& water,
-                             const gl::Texture& sceneDepth, std::span<const LevelMap* const> maps,
-                             double farthest) {
+                             const gl::Texture& sceneDepth, std::span<const Placed> maps, double farthest) {
     FluxBalance balance;
-    for (const float flux : beams.flux.read<float>(std::size_t(beams.triangleCount)))
-        balance.entering += double(flux) * meanOf(beams.strength);
+    const auto flux = beams.flux.read<float>(std::size_t(beams.triangleCount));
+    const auto lit = beams.lit.read<float>(std::size_t(beams.triangleCount));
+    for (std::size_t i = 0; i < flux.size(); ++i)
+        balance.entering += double(flux[i]) * double(lit[i]) * meanOf(beams.strength);
     if (balance.entering == 0) return balance;
 
     gl::Ledger& ledger = _context.ledger();
@@ -55,6 +74,7 @@ FluxBalance FluxAudit::count(const Beams& beams, const WaterMesh& surface, const
     _place.set(Absorption, glm::vec3(water.absorption));
     _place.set(Scattering, glm::vec3(water.scattering));
     beams.frame.bindUniform(0);
+    if (beams.surfaceShadow) beams.surfaceShadow->bind(3);
     surface.indices.bindStorage(0);
     beams.origins.bindStorage(3);
     beams.directions.bindStorage(4);
@@ -63,22 +83,17 @@ FluxBalance FluxAudit::count(const Beams& beams, const WaterMesh& surface, const
     counts.bindStorage(7);
     for (int first = 0; first < beams.triangleCount; first += atOnce) {
         const int beamCount = std::min(atOnce, beams.triangleCount - first);
-        sceneDepth.bind(1);
-        _land.set(RayCount, beamCount * raysPerBeam);
-        _land.set(LandFirstTriangle, first);
-        _land.set(LandRaysPerBeam, raysPerBeam);
-        _land.set(Farthest, float(farthest));
-        _land.dispatch(std::int64_t(beamCount) * raysPerBeam, groupSize);
-        glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-        place(first, beamCount, -1);
-        for (std::size_t i = 0; i < maps.size(); ++i) {
-            if (!maps[i]) continue;
-            maps[i]->box.bindUniform(1);
-            maps[i]->position.bind(0);
-            maps[i]->diffuse.bind(1);
-            maps[i]->normal.bind(2);
-            place(first, beamCount, int(i));
+        land(first, beamCount, sceneDepth, farthest);
+        for (const Placed& placed : maps) {
+            if (placed.map->facing == 0) continue;
+            bindMap(*placed.map);
+            meetFurtherMap(first, beamCount, placed, farthest);
         }
+        for (const Placed& placed : maps) {
+            bindMap(*placed.map);
+            place(first, beamCount, placed.receiver);
+        }
+        place(first, beamCount, unplaced);
     }
     for (const glm::vec4& c : counts.read<glm::vec4>(std::size_t(beams.triangleCount))) {
         balance.missed += double(c.x);

@@ -27,15 +27,21 @@ class FluxAudit {
   public:
     explicit FluxAudit(gl::Context& context);
 
-    /// All but `deposited`. `sceneDepth` covers every receiver; `maps[i]` is that of receiver i for this
-    /// light, null if it has none. `farthest` as for SceneDepthPass. Waits for the GPU.
+    struct Placed {
+        int receiver;
+        const LevelMap* map;
+    };
+    /// All but `deposited`. `sceneDepth` covers every receiver; `maps` are all those of this light.
+    /// `farthest` as for SceneDepthPass. Waits for the GPU.
     FluxBalance count(const Beams& beams, const WaterMesh& surface, const Water& water,
-                      const gl::Texture& sceneDepth, std::span<const LevelMap* const> maps, double farthest);
+                      const gl::Texture& sceneDepth, std::span<const Placed> maps, double farthest);
 
   private:
+    void land(int firstTriangle, int beamCount, const gl::Texture& sceneDepth, double farthest);
+    void meetFurtherMap(int firstTriangle, int beamCount, const Placed& placed, double farthest);
     void place(int firstTriangle, int beamCount, int receiverNumber);
     gl::Context& _context;
-    gl::Program _land, _place;
+    gl::Program _land, _meet, _place;
 };
 
 /// Σ irradiance · surface area of the texel, W, mean of R, G and B. `irradiance`: RGB, `normalDotAxis`: |n·V|

@@ -73,11 +73,28 @@ void Engine::setScene(Scene scene) {
     _maps.clear();
     for (std::size_t light = 0; light < _lights.size(); ++light)
         for (std::size_t receiver = 0; receiver < _receivers.size(); ++receiver)
-            if (!_submerged[receiver].empty()) {
-                _maps.emplace_back();
-                _maps.back().light = int(light);
-                _maps.back().receiver = int(receiver);
-            }
+            addMaps(int(light), int(receiver));
+}
+
+/// The map along the light, and one for each way that faces along the light look.
+void Engine::addMaps(int light, int receiver) {
+    const auto& points = _submerged[std::size_t(receiver)];
+    if (points.empty()) return;
+    Bounds bounds;
+    for (const glm::dvec3& p : points)
+        bounds.add(p);
+    const glm::dvec3 direction =
+        meanDirection(_scene.lights[std::size_t(light)], _scene.water, bounds.center());
+    const auto facings = std::make_shared<const Facings>(
+        findFacings(_scene.receivers[std::size_t(receiver)], direction, _scene.water.level));
+    for (int facing = 0; facing <= 4; ++facing) {
+        if (facing > 0 && !facings->used[std::size_t(facing - 1)]) continue;
+        ReceiverMaps& maps = _maps.emplace_back();
+        maps.light = light;
+        maps.receiver = receiver;
+        maps.facings = facings;
+        maps.level.facing = facing;
+    }
 }
 
 void Engine::updateCaustics(double time) {
@@ -91,10 +108,15 @@ void Engine::updateCaustics(double time) {
         updateReceiver(maps);
 }
 
-bool Engine::needsSceneDepth(const Light& light) const {
+bool Engine::needsSceneDepth(int index) const {
+    const Light& light = _scene.lights[std::size_t(index)];
+    if (!entersWater(light, _scene.water)) return false;
     // A receiver alone shades itself within its own map, unless a lamp sees it from other sides than the box
-    // does.
-    return entersWater(light, _scene.water) && (_receivers.size() > 1 || light.type == LightType::Point);
+    // does, or a further map looks from elsewhere.
+    const bool further = std::any_of(_maps.begin(), _maps.end(), [&](const ReceiverMaps& m) {
+        return m.light == index && m.level.facing > 0;
+    });
+    return _receivers.size() > 1 || light.type == LightType::Point || further;
 }
 
 void Engine::updateLight(int index) {
@@ -120,7 +142,7 @@ void Engine::updateLight(int index) {
         _beamTracer.trace(state.beams, _surface.mesh(), shaded ? &state.surfaceShadow : nullptr);
     }
     state.sceneDepth = {};
-    if (needsSceneDepth(light)) drawSceneDepth(index);
+    if (needsSceneDepth(index)) drawSceneDepth(index);
 }
 
 void Engine::drawSceneDepth(int index) {
@@ -131,18 +153,21 @@ void Engine::drawSceneDepth(int index) {
 }
 
 void Engine::updateReceiver(ReceiverMaps& maps) {
-    const Light& light = _scene.lights[std::size_t(maps.light)];
     const CausticsSettings& settings = _scene.caustics;
     const LightState& state = _lights[std::size_t(maps.light)];
-    const auto& points = _submerged[std::size_t(maps.receiver)];
     {
         Scope scope(_timers, "level map");
-        Bounds bounds;
-        for (const glm::dvec3& p : points)
-            bounds.add(p);
-        const OrientedBox box = tightBox(points, meanDirection(light, _scene.water, bounds.center()));
+        const int facing = maps.level.facing;
+        const auto& points = facing > 0 ? maps.facings->points[std::size_t(facing - 1)]
+                                        : _submerged[std::size_t(maps.receiver)];
+        const OrientedBox box =
+            tightBox(points, facing > 0 ? maps.facings->viewDirection(facing - 1) : maps.facings->light);
+        // Alone and seen along the light, a receiver has nothing before it but itself.
+        const bool alone = facing == 0 && _receivers.size() == 1 &&
+                           _scene.lights[std::size_t(maps.light)].type == LightType::Directional;
         const LevelMapPass::Inputs inputs{_receivers[std::size_t(maps.receiver)], maps.receiver, state.beams,
-                                          state.sceneDepth.id() ? &state.sceneDepth : nullptr};
+                                          state.sceneDepth.id() && !alone ? &state.sceneDepth : nullptr,
+                                          *maps.facings};
         _levelMapPass.draw(maps.level, inputs, box, settings.mapSize, settings.planes, _origin);
     }
     if (settings.method == Method::LevelMapSmart) {
@@ -158,9 +183,9 @@ void Engine::updateReceiver(ReceiverMaps& maps) {
 FluxBalance Engine::auditFlux(int index) {
     LightState& state = _lights[std::size_t(index)];
     if (!state.sceneDepth.id()) drawSceneDepth(index);
-    std::vector<const LevelMap*> levels(_receivers.size(), nullptr);
+    std::vector<FluxAudit::Placed> levels;
     for (const ReceiverMaps& maps : _maps)
-        if (maps.light == index) levels[std::size_t(maps.receiver)] = &maps.level;
+        if (maps.light == index) levels.push_back({maps.receiver, &maps.level});
     Scope scope(_timers, "flux audit");
     return _fluxAudit.count(state.beams, _surface.mesh(), _scene.water, state.sceneDepth, levels,
                             state.farthest);

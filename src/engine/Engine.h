@@ -31,6 +31,7 @@ struct LightState {
 struct ReceiverMaps {
     int receiver = 0;
     int light = 0;
+    std::shared_ptr<const Facings> facings; ///< of this receiver and light
     LevelMap level;
     CausticMap caustics;
 };
@@ -51,7 +52,8 @@ class Engine {
 
     /// Water at `time` (s), beams, level maps, caustic maps: thesis figure 4-17.
     void updateCaustics(double time);
-    /// One entry for each light and each receiver that reaches into the water, lights outermost.
+    /// One entry for each light and each receiver that reaches into the water, lights outermost; after it,
+    /// one for each of its further maps.
     const std::vector<ReceiverMaps>& maps() const { return _maps; }
     const LightState& light(int index) const { return _lights[std::size_t(index)]; }
 
@@ -72,8 +74,9 @@ class Engine {
   private:
     void updateLight(int light);
     void updateReceiver(ReceiverMaps& maps);
+    void addMaps(int light, int receiver);
     void drawSceneDepth(int light);
-    bool needsSceneDepth(const Light& light) const;
+    bool needsSceneDepth(int light) const;
 
     gl::Context& _context;
     gl::PassTimers _timers;

@@ -28,6 +28,8 @@ Json lightJson(const BakedLight& light) {
 }
 
 std::string fileName(const BakedMap& map, const char* what) {
+    if (map.facing > 0)
+        return fmt::format("{}.{}.facing{}.{}.exr", map.receiver, map.light, map.facing, what);
     return fmt::format("{}.{}.{}.exr", map.receiver, map.light, what);
 }
 
@@ -36,15 +38,18 @@ Json mapJson(const BakedMap& map) {
     for (int column = 0; column < 4; ++column)
         for (int row = 0; row < 4; ++row)
             matrix.push_back(map.worldToTexture[column][row]);
-    return {{"receiver", map.receiver},
-            {"light", map.light},
-            {"size", {map.size.x, map.size.y}},
-            {"irradiance", fileName(map, "irradiance")},
-            {"position", fileName(map, "position")},
-            {"normal", fileName(map, "normal")},
-            {"world_to_texture", matrix},
-            {"planes", {{"requested", map.planesRequested}, {"drawn", map.planesDrawn}}},
-            {"flux", {{"deposited", map.deposited}}}};
+    Json json = {{"receiver", map.receiver},
+                 {"light", map.light},
+                 {"size", {map.size.x, map.size.y}},
+                 {"irradiance", fileName(map, "irradiance")},
+                 {"position", fileName(map, "position")},
+                 {"normal", fileName(map, "normal")},
+                 {"world_to_texture", matrix},
+                 {"planes", {{"requested", map.planesRequested}, {"drawn", map.planesDrawn}}},
+                 {"flux", {{"deposited", map.deposited}}}};
+    // The map along the light is what the contract names; further ones say so.
+    if (map.facing > 0) json["facing"] = map.facing;
+    return json;
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 #include "levelmap/LevelMap.h"
 
 #include <algorithm>
+#include <array>
 
 namespace limpid {
 
@@ -15,16 +16,24 @@ constexpr GLuint sceneDepthUnit = 1;
 struct BoxFrameData {
     glm::vec4 corner, u, w, t, extent;
     glm::ivec4 size;
+    glm::vec4 facingLight;
+    std::array<glm::vec4, 4> facingAxes;
 };
 
-gl::Buffer boxFrame(gl::Ledger& ledger, const TexelFrame& frame, int planes, const glm::dvec3& origin) {
+gl::Buffer boxFrame(gl::Ledger& ledger, const TexelFrame& frame, int planes, const Facings& facings,
+                    int facing, const glm::dvec3& origin) {
     const OrientedBox& b = frame.box;
-    const BoxFrameData data{glm::vec4(b.corner - origin, 0),
-                            glm::vec4(b.u, 0),
-                            glm::vec4(b.w, 0),
-                            glm::vec4(b.t, 0),
-                            glm::vec4(b.extent, frame.texel),
-                            {frame.size.x, frame.size.y, planes, 0}};
+    BoxFrameData data{
+        glm::vec4(b.corner - origin, 0),
+        glm::vec4(b.u, 0),
+        glm::vec4(b.w, 0),
+        glm::vec4(b.t, 0),
+        glm::vec4(b.extent, frame.texel),
+        {frame.size.x, frame.size.y, planes, facing + (facings.sheet ? 8 : 0) + (facings.hollow ? 16 : 0)},
+        glm::vec4(facings.light, Facings::steep),
+        {}};
+    for (std::size_t k = 0; k < 4; ++k)
+        data.facingAxes[k] = glm::vec4(facings.axes[k], facings.used[k] ? 1 : 0);
     return {ledger, "boxes", sizeof(data), &data};
 }
 
@@ -48,7 +57,7 @@ void LevelMapPass::draw(LevelMap& map, const Inputs& inputs, const OrientedBox& 
     const int count = map.frame.flat ? 1 : planes;
     map.requestedPlanes = planes;
     map.planes = uniformPlanes(map.frame.box.extent.z, count);
-    map.box = boxFrame(_context.ledger(), map.frame, count, origin);
+    map.box = boxFrame(_context.ledger(), map.frame, count, inputs.facings, map.facing, origin);
     resize(map, map.frame.size);
 
     const gl::Texture depth(_context.ledger(), "depth buffer", GL_DEPTH_COMPONENT32F, map.frame.size);

@@ -5,6 +5,7 @@
 #include "gl/Context.h"
 #include "gl/Handles.h"
 #include "gl/Program.h"
+#include "levelmap/Facings.h"
 #include "levelmap/ReceiverGeometry.h"
 #include "levelmap/ReferencePlanes.h"
 #include "water/Beams.h"
@@ -20,6 +21,7 @@ struct LevelMap {
     gl::Texture position; ///< RG32F: depth along the light, m; plane index, -2 in shadow, -1 no receiver
     gl::Texture diffuse;  ///< SRGB8_ALPHA8: base colour; share of the mean light that arrives
     gl::Texture normal;   ///< RG16: geometric normal facing the box's top, octahedral
+    int facing = 0; ///< 0 the map along the light; k the further map that sees axis k - 1 of the facings
     int requestedPlanes = 0;
     std::vector<ReferencePlane> planes; ///< to be drawn, from the top down
 };
@@ -34,10 +36,11 @@ class LevelMapPass {
         int receiverNumber;
         const Beams& beams;            ///< for the mean light
         const gl::Texture* sceneDepth; ///< null: nothing else can be before the receiver
+        const Facings& facings;
     };
 
-    /// `box` (in the world) runs along the mean light; `mapSize` texels on its longer side. All planes are
-    /// kept.
+    /// `box` (in the world) runs along the mean light, or along the view of a further map; `mapSize` texels
+    /// on its longer side. All planes are kept.
     void draw(LevelMap& map, const Inputs& inputs, const OrientedBox& box, int mapSize, int planes,
               const glm::dvec3& origin);
 

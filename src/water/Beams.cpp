@@ -34,6 +34,8 @@ void BeamTracer::prepare(Beams& beams, const WaterMesh& surface, const Light& li
         beams.directions = gl::Buffer(ledger, "beams", bytes);
         beams.flux =
             gl::Buffer(ledger, "beams", std::int64_t(surface.triangleCount) * std::int64_t(sizeof(float)));
+        beams.lit =
+            gl::Buffer(ledger, "beams", std::int64_t(surface.triangleCount) * std::int64_t(sizeof(float)));
         beams.vertexCount = surface.vertexCount;
         beams.triangleCount = surface.triangleCount;
     }
@@ -51,6 +53,8 @@ void BeamTracer::trace(Beams& beams, const WaterMesh& surface, const gl::Texture
     beams.origins.bindStorage(3);
     beams.directions.bindStorage(4);
     beams.flux.bindStorage(5);
+    beams.lit.bindStorage(9);
+    beams.surfaceShadow = surfaceShadow;
     if (surfaceShadow) surfaceShadow->bind(surfaceShadowUnit);
     _rays.set(Count, beams.vertexCount);
     _rays.dispatch(beams.vertexCount, groupSize);

@@ -26,9 +26,11 @@ struct Beams {
     gl::Buffer directions; ///< a vertex: vec4, unit, below the surface; w = 0
     gl::Buffer
         flux; ///< a triangle: float after Fresnel, m² (directional) or sr (point); times `strength` it is W
-    gl::Buffer frame;           ///< LightFrameData
-    glm::vec4 rect{0, 0, 1, 1}; ///< sceneDepthRect of `frame`
-    glm::dvec3 strength{0};     ///< RGB, W/m² or W/sr; 0 for a light that does not enter the water
+    gl::Buffer lit;   ///< a triangle: float, the share of its flux that things above the water leave
+    gl::Buffer frame; ///< LightFrameData
+    const gl::Texture* surfaceShadow = nullptr; ///< what those things leave dark; null if there are none
+    glm::vec4 rect{0, 0, 1, 1};                 ///< sceneDepthRect of `frame`
+    glm::dvec3 strength{0}; ///< RGB, W/m² or W/sr; 0 for a light that does not enter the water
     int vertexCount = 0;
     int triangleCount = 0;
 };

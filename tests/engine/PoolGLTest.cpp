@@ -1,0 +1,100 @@
+#include <cmath>
+
+#include "engine/EngineFixture.h"
+
+namespace limpid {
+namespace {
+
+/// A pool of 4 m by 3 m, 1.5 m deep, sun at 40° along x: two walls run along the mean light.
+class PoolGLTest : public EngineGLTest {
+  protected:
+    static Scene empty(bool waves) {
+        Scene scene;
+        scene.lights = {scenes::sunAt(40)};
+        scene.water.level = -0.1;
+        scene.water.grid = {128, 128};
+        scene.caustics.mapSize = 384;
+        scene.caustics.planes = 20;
+        if (waves) scene.water.waves = {scenes::cosine(0.01, 0.5, {0.3, 1}), scenes::noise(0.008, 0.6)};
+        return scene;
+    }
+
+    static Scene ofBoxes(bool waves) {
+        Scene scene = empty(waves);
+        const auto box = [](const char* name, const glm::dvec3& size, const glm::dvec3& at) {
+            return scenes::shape(name, makeBox(size, glm::vec3(0.8f)), at);
+        };
+        scene.receivers = {
+            box("floor", {4.4, 0.2, 3.4}, {0, -1.6, 0}), box("left", {0.2, 1.5, 3.4}, {-2.1, -0.75, 0}),
+            box("right", {0.2, 1.5, 3.4}, {2.1, -0.75, 0}), box("back", {4, 1.5, 0.2}, {0, -0.75, -1.6}),
+            box("front", {4, 1.5, 0.2}, {0, -0.75, 1.6})};
+        return scene;
+    }
+
+    static double onFurtherMaps(Engine& engine) {
+        double sum = 0;
+        for (const ReceiverMaps& maps : engine.maps())
+            if (maps.level.facing > 0) sum += readMaps(maps, engine.origin()).deposited;
+        return sum;
+    }
+};
+
+TEST_F(PoolGLTest, balancesOnFloorAndWalls) {
+    const FluxBalance flux = bake(ofBoxes(false), true).flux.at(0);
+    EXPECT_LT(std::abs(flux.residual()), 0.01 * flux.entering) << flux.residual();
+    EXPECT_LT(flux.rejected, 0.01 * flux.entering);
+}
+
+TEST_F(PoolGLTest, underWavesWallsTakeLightTwice) {
+    // Shade follows the mean light, which runs along two of the walls: a beam that a wave throws through such
+    // a wall lights it and, beyond it, the floor as well. What the walls get is what is too much; this holds
+    // the sum to that.
+    Engine engine(context());
+    const FluxBalance flux = bake(engine, ofBoxes(true), true).flux.at(0);
+    const double twice = onFurtherMaps(engine);
+    printf("residual under waves: %.3f %% of entering; walls along the light hold %.3f %%\n",
+           100 * flux.residual() / flux.entering, 100 * twice / flux.entering);
+    EXPECT_LT(std::abs(flux.residual() + twice), 0.01 * flux.entering);
+    EXPECT_LT(flux.rejected, 0.01 * flux.entering);
+}
+
+TEST_F(PoolGLTest, wallsAlongTheLightAreLitByWavesAlone) {
+    Engine engine(context());
+    bake(engine, ofBoxes(false));
+    const double calm = onFurtherMaps(engine);
+    bake(engine, ofBoxes(true));
+    const double rough = onFurtherMaps(engine);
+    EXPECT_LT(calm, 1e-3) << "flat light only grazes them";
+    EXPECT_GT(rough, 0.05);
+}
+
+TEST_F(PoolGLTest, bothSidesOfASheetHaveAMap) {
+    Scene scene = empty(true);
+    Receiver wall = scenes::shape("wall", makePlane({3, 1.2}, glm::vec3(0.8f)), {0, -0.8, 0});
+    wall.rotation = glm::angleAxis(glm::radians(90.0), glm::dvec3(1, 0, 0));
+    scene.receivers = {scenes::floorAt(-1.5, 4), wall};
+    Engine engine(context());
+    const Baked baked = bake(engine, scene, true);
+    std::vector<double> sides;
+    for (std::size_t i = 0; i < baked.maps.size(); ++i)
+        if (engine.maps()[i].receiver == 1 && engine.maps()[i].level.facing > 0)
+            sides.push_back(baked.maps[i].deposited);
+    ASSERT_EQ(sides.size(), 2u);
+    EXPECT_GT(sides[0], 0.01);
+    EXPECT_GT(sides[1], 0.01);
+    EXPECT_LT(std::abs(baked.flux[0].residual()), 0.01 * baked.flux[0].entering);
+}
+
+TEST_F(PoolGLTest, roundThingsNeedNoFurtherMaps) {
+    for (const char* name : {"sphere", "teapot"}) {
+        Scene scene = empty(true);
+        scene.receivers = {scenes::model(name, -1.5)};
+        EXPECT_EQ(bake(scene).maps.size(), 1u) << name;
+    }
+    EXPECT_TRUE(isClosed(makeSphere(1, glm::vec3(1))));
+    EXPECT_TRUE(isClosed(makeBox({1, 2, 3}, glm::vec3(1))));
+    EXPECT_FALSE(isClosed(makePlane({1, 2}, glm::vec3(1))));
+}
+
+} // namespace
+} // namespace limpid
