@@ -27,6 +27,7 @@ using namespace glm;
 #include "include/octahedral.glsl"
 #include "include/optics.glsl"
 #include "include/planes.glsl"
+#include "include/spline.glsl"
 #include "include/waves.glsl"
 } // namespace
 } // namespace limpid::shader
