@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <fmt/format.h>
 
@@ -11,8 +12,10 @@ namespace limpid {
 
 namespace {
 
-/// Metres of the shortest wave in a term.
+/// Metres of the shortest wave in a term; of a height map, the cosine that is as high and as steep.
 double shortest(const Wave& wave) {
+    if (wave.type == WaveType::HeightMap)
+        return 2 * std::numbers::pi * highestWave(wave) / std::max(steepestSlope(wave), 1e-12);
     return wave.type == WaveType::Noise ? wave.wavelength / std::exp2(wave.octaves - 1) : wave.wavelength;
 }
 

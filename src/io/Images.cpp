@@ -1,5 +1,6 @@
 #include "io/Images.h"
 
+#include <algorithm>
 #include <cassert>
 #include <stdexcept>
 
@@ -50,6 +51,24 @@ void writePng(const fs::path& file, int width, int height, std::span<const std::
     OIIO::ImageSpec spec(width, height, 3, OIIO::TypeUInt8);
     spec.attribute("oiio:ColorSpace", "sRGB");
     writeImage(file, spec, OIIO::TypeUInt8, rgb.data());
+}
+
+Channel readFirstChannel(const fs::path& file, int minSide, int maxSide) {
+    requireFile(file);
+    OIIO::ImageSpec config;
+    config.attribute("oiio:UnassociatedAlpha", 1); // alpha is nothing that a height should be multiplied by
+    const auto input = OIIO::ImageInput::open(file.string(), &config);
+    if (!input) failReading(file, OIIO::geterror());
+    const OIIO::ImageSpec& spec = input->spec();
+    if (std::min(spec.width, spec.height) < minSide || std::max(spec.width, spec.height) > maxSide ||
+        spec.nchannels < 1 || spec.depth > 1)
+        throw InputError(fmt::format("{}: expected {} to {} pixels a side, found {} x {}",
+                                     oneLine(file.string()), minSide, maxSide, spec.width, spec.height));
+    Channel channel{spec.width, spec.height, spec.channelformat(0).is_floating_point(), {}};
+    channel.data.resize(std::size_t(spec.width) * std::size_t(spec.height));
+    if (!input->read_image(0, 0, 0, 1, OIIO::TypeFloat, channel.data.data()))
+        failReading(file, input->geterror());
+    return channel;
 }
 
 FloatImage readImage(const fs::path& file) {

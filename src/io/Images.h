@@ -26,6 +26,18 @@ void writeExr(const std::filesystem::path& file, int width, int height, std::vec
 /// Writes 8-bit sRGB. `rgb` holds width · height · 3 bytes. Throws InputError if the file cannot be written.
 void writePng(const std::filesystem::path& file, int width, int height, std::span<const std::uint8_t> rgb);
 
+/// The first channel of a picture, row by row from the top.
+struct Channel {
+    int width = 0;
+    int height = 0;
+    bool floatingPoint = false; ///< how the file stores it; integers come scaled to [0, 1]
+    std::vector<float> data;
+};
+
+/// Reads just the first channel of a picture of `minSide` to `maxSide` pixels a side. Throws InputError if it
+/// cannot be read, or is of another size.
+Channel readFirstChannel(const std::filesystem::path& file, int minSide, int maxSide);
+
 /// Reads the first picture of any file that OpenImageIO knows. Throws InputError if it cannot be read.
 FloatImage readImage(const std::filesystem::path& file);
 

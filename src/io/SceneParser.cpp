@@ -8,6 +8,7 @@
 #include "core/Error.h"
 #include "io/Files.h"
 #include "io/Gltf.h"
+#include "io/HeightImages.h"
 #include "io/TomlReader.h"
 #include "scene/Shapes.h"
 
@@ -58,14 +59,33 @@ Camera parseCamera(TomlTable table) {
 }
 
 WaveType parseWaveType(TomlTable& table) {
-    constexpr std::string_view names[] = {"cosine", "circular", "noise"};
-    return static_cast<WaveType>(table.choice("type", names, " (phillips and heightmap come later)"));
+    constexpr std::string_view names[] = {"cosine", "circular", "noise", "heightmap"};
+    return static_cast<WaveType>(table.choice("type", names, " (phillips comes later)"));
 }
 
-Wave parseWave(TomlTable table) {
-    Wave wave;
-    wave.type = parseWaveType(table);
-    table.number("amplitude", wave.amplitude, anyNumber);
+void parseHeightMap(TomlTable& table, Wave& wave, const fs::path& folder) {
+    std::string name;
+    const std::string expected = "the path of an image, or of a sequence with one %04d";
+    table.text("image", name, expected);
+    if (name.empty()) table.fail("image", expected);
+    glm::dvec4 placement(0);
+    table.vector("placement", placement, anyNumber);
+    if (placement.z <= 0 || placement.w <= 0)
+        table.fail("placement", "[x, z, width, depth] with width and depth > 0");
+    wave.center = {placement.x, placement.y};
+    wave.size = {placement.z, placement.w};
+    table.number("fps", wave.fps, positive);
+    double fade = std::min(wave.size.x, wave.size.y) / 16;
+    table.number("fade", fade, nonNegative);
+    table.finish(" of a heightmap wave"); // before images are loaded
+    try {
+        wave.heights = openHeightImages(folder / name, fade / wave.size);
+    } catch (const InputError& error) {
+        throw InputError(table.where("image") + error.what());
+    }
+}
+
+void parseAnalyticWave(TomlTable& table, Wave& wave) {
     table.number("wavelength", wave.wavelength, positive);
     table.number("speed", wave.speed, anyNumber);
     if (wave.type == WaveType::Noise) {
@@ -81,10 +101,33 @@ Wave parseWave(TomlTable table) {
     table.finish(wave.type == WaveType::Noise      ? " of a noise wave"
                  : wave.type == WaveType::Circular ? " of a circular wave"
                                                    : " of a cosine wave");
+}
+
+Wave parseWave(TomlTable table, const fs::path& folder) {
+    Wave wave;
+    wave.type = parseWaveType(table);
+    table.number("amplitude", wave.amplitude, anyNumber);
+    if (wave.type == WaveType::HeightMap)
+        parseHeightMap(table, wave, folder);
+    else
+        parseAnalyticWave(table, wave);
     return wave;
 }
 
-Water parseWater(TomlTable table) {
+void parseWaves(TomlTable& table, Water& water, const fs::path& folder) {
+    std::vector<TomlTable> waves = table.tables("wave", maxWaves);
+    table.finish();
+    int heightMaps = 0;
+    for (TomlTable& wave : waves)
+        if (parseWaveType(wave) == WaveType::HeightMap) ++heightMaps;
+    if (heightMaps > maxHeightMaps)
+        throw InputError(fmt::format("{}expected at most {} height maps, found {}", table.where("wave"),
+                                     maxHeightMaps, heightMaps));
+    for (TomlTable& wave : waves)
+        water.waves.push_back(parseWave(std::move(wave), folder));
+}
+
+Water parseWater(TomlTable table, const fs::path& folder) {
     Water water;
     table.number("level", water.level, anyNumber);
     table.vector("center", water.center, anyNumber);
@@ -97,9 +140,7 @@ Water parseWater(TomlTable table) {
     table.vector("scattering", water.scattering, nonNegative);
     table.number("anisotropy", water.anisotropy,
                  {.min = -1, .max = 1, .openMin = true, .openMax = true, .text = " > -1 and < 1"});
-    for (TomlTable& wave : table.tables("wave", maxWaves))
-        water.waves.push_back(parseWave(std::move(wave)));
-    table.finish();
+    parseWaves(table, water, folder);
     return water;
 }
 
@@ -252,7 +293,7 @@ Scene parseScene(const toml::table& root, const fs::path& file, MeshCache& meshe
     TomlTable table(root, "", fileName);
     Scene scene;
     if (auto camera = table.table("camera")) scene.camera = parseCamera(std::move(*camera));
-    if (auto water = table.table("water")) scene.water = parseWater(std::move(*water));
+    std::optional<TomlTable> water = table.table("water");
     Names lightNames, receiverNames;
     for (TomlTable& light : table.tables("light", maxLights))
         scene.lights.push_back(parseLight(std::move(light), scene.lights.size(), lightNames));
@@ -261,7 +302,8 @@ Scene parseScene(const toml::table& root, const fs::path& file, MeshCache& meshe
     if (auto caustics = table.table("caustics")) scene.caustics = parseCaustics(std::move(*caustics));
     parseGodrays(table);
     std::vector<TomlTable> receivers = table.tables("receiver", maxReceivers);
-    table.finish(); // before models are loaded: a misspelt key should not have to wait for them
+    table.finish(); // before files are loaded: a misspelt key should not have to wait for them
+    if (water) scene.water = parseWater(std::move(*water), folder);
     if (receivers.empty())
         throw InputError(
             fmt::format("{}: receiver: expected at least one [[receiver]], found none", oneLine(fileName)));

@@ -8,7 +8,7 @@ namespace limpid {
 
 namespace {
 
-enum Uniform { PatchMin, PatchSize, Quads, Level, WaveCount };
+enum Uniform { PatchMin, PatchSize, Quads, Level, WaveCount, FrameCount, HeightMapPlaces, FrameShares = 10 };
 constexpr int groupSize = 64;
 
 std::vector<std::uint32_t> gridTriangles(glm::ivec2 quads) {
@@ -28,7 +28,8 @@ std::vector<std::uint32_t> gridTriangles(glm::ivec2 quads) {
 
 } // namespace
 
-WaterSurface::WaterSurface(gl::Context& context) : _context(context), _program({"water/surface.comp"}) {}
+WaterSurface::WaterSurface(gl::Context& context)
+    : _context(context), _program({"water/surface.comp"}), _heightMaps(context) {}
 
 void WaterSurface::resize(glm::ivec2 grid) {
     if (grid == _grid) return;
@@ -55,6 +56,14 @@ void WaterSurface::update(const Water& water, const WaterPatch& patch, const glm
     _program.set(Quads, patch.grid);
     _program.set(Level, float(water.level - origin.y));
     _program.set(WaveCount, int(terms.size()));
+    const std::vector<HeightMapData> maps = _heightMaps.bind(water, origin, time);
+    _program.set(FrameCount, int(2 * maps.size()));
+    for (int i = 0; i < int(maps.size()); ++i) {
+        const HeightMapData& map = maps[std::size_t(i)];
+        _program.set(HeightMapPlaces + i, map.place);
+        _program.set(FrameShares + 2 * i, map.shares.x);
+        _program.set(FrameShares + 2 * i + 1, map.shares.y);
+    }
     _program.dispatch(_mesh.vertexCount, groupSize);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT);
 }

@@ -6,6 +6,7 @@
 #include "gl/Program.h"
 #include "scene/Scene.h"
 #include "water/FlatWater.h"
+#include "water/HeightMaps.h"
 
 namespace limpid {
 
@@ -20,12 +21,14 @@ struct WaterMesh {
     int triangleCount = 0;
 };
 
-/// Fills the grid from the sum of the waves, heights and analytic normals, in one compute pass.
+/// Fills the grid from the sum of the waves and height maps, heights and analytic normals, in one compute
+/// pass.
 class WaterSurface {
   public:
     explicit WaterSurface(gl::Context& context);
 
-    /// `patch` in the world; `origin` is subtracted from every position; `time` in s.
+    /// `patch` in the world; `origin` is subtracted from every position; `time` in s. Throws
+    /// InputError if a height map's frame cannot be loaded.
     void update(const Water& water, const WaterPatch& patch, const glm::dvec3& origin, double time);
     const WaterMesh& mesh() const { return _mesh; }
 
@@ -33,6 +36,7 @@ class WaterSurface {
     void resize(glm::ivec2 grid);
     gl::Context& _context;
     gl::Program _program;
+    HeightMaps _heightMaps;
     glm::ivec2 _grid{0};
     WaterMesh _mesh;
 };

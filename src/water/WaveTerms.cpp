@@ -54,26 +54,42 @@ std::vector<WaveTermData> waveTerms(const Water& water, const glm::dvec3& origin
         case WaveType::Noise:
             terms.push_back(noiseTerm(wave, origin, time));
             break;
+        case WaveType::HeightMap:
+            break; // a texture: water/HeightMaps.h
         }
     }
     return terms;
 }
 
-double steepestSlope(const Water& water) {
+double steepestSlope(const Wave& wave) {
+    if (wave.type == WaveType::HeightMap) {
+        const HeightBounds& bounds = wave.heights->bounds();
+        return std::abs(wave.amplitude) *
+               glm::length(bounds.steepest * glm::dvec2(bounds.size) / glm::abs(wave.size));
+    }
     // Steepest slope of one octave of unit lattice and amplitude, found by search over all gradient choices
     // of a cell; each octave has half the height and half the length, so all are equally steep.
     constexpr double noiseSlope = 2.2;
+    return std::abs(wave.amplitude) / wave.wavelength *
+           (wave.type == WaveType::Noise ? noiseSlope * wave.octaves : tau);
+}
+
+double highestWave(const Wave& wave) {
+    if (wave.type == WaveType::HeightMap) return std::abs(wave.amplitude) * wave.heights->bounds().highest;
+    return std::abs(wave.amplitude) * (wave.type == WaveType::Noise ? 2.1 : 1.0);
+}
+
+double steepestSlope(const Water& water) {
     double slope = 0;
     for (const Wave& wave : water.waves)
-        slope += std::abs(wave.amplitude) / wave.wavelength *
-                 (wave.type == WaveType::Noise ? noiseSlope * wave.octaves : tau);
+        slope += steepestSlope(wave);
     return slope;
 }
 
 double highestWave(const Water& water) {
     double height = 0;
     for (const Wave& wave : water.waves)
-        height += std::abs(wave.amplitude) * (wave.type == WaveType::Noise ? 2.1 : 1.0);
+        height += highestWave(wave);
     return height;
 }
 

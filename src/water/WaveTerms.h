@@ -15,15 +15,17 @@ struct WaveTermData {
     glm::ivec4 cell{0};
 };
 
-/// The waves at `time` (s) for positions relative to `origin` (m). What grows with time or distance is
-/// reduced in double precision here, so that a float has to hold one period at most.
+/// The waves at `time` (s), without height maps, for positions relative to `origin` (m). What grows with time
+/// or distance is reduced in double precision here, so that a float has to hold one period at most.
 std::vector<WaveTermData> waveTerms(const Water& water, const glm::dvec3& origin, double time);
 
 /// A bound on the surface's slope (rise over run) that no place and time exceeds; noise is bounded by what
-/// its lattice can reach.
+/// its lattice can reach, a height map by the coefficients of its first frame.
 double steepestSlope(const Water& water);
+double steepestSlope(const Wave& wave);
 
 /// A bound on how far the surface leaves its mean level, m.
 double highestWave(const Water& water);
+double highestWave(const Wave& wave);
 
 } // namespace limpid

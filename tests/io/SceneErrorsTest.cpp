@@ -60,8 +60,8 @@ const TextCase waterAndCamera[] = {
 };
 
 const TextCase waves[] = {
-    {"[[water.wave]]\ntype = \"phillips\"", "4:8: water.wave.0.type: expected \"cosine\", \"circular\" or "
-                                            "\"noise\" (phillips and heightmap come later), "
+    {"[[water.wave]]\ntype = \"phillips\"", "4:8: water.wave.0.type: expected \"cosine\", \"circular\", "
+                                            "\"noise\" or \"heightmap\" (phillips comes later), "
                                             "found \"phillips\""},
     {"[[water.wave]]\nwavelength = 0",
      "4:14: water.wave.0.wavelength: expected a number > 0 and <= 1e12, found 0"},
