@@ -30,6 +30,15 @@ toml::table readToml(const fs::path& file) {
     return parseToml({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, file.string());
 }
 
+/// A preset takes the place of the waves that were made for a model alone, unless they are asked for as well.
+void dropReplacedWaves(toml::table& root, const std::vector<Override>& overrides) {
+    toml::table* water = root["water"].as_table();
+    if (!water || !water->contains("preset")) return;
+    for (const Override& override : overrides)
+        if (override.key.starts_with("water.wave")) return;
+    water->erase("wave");
+}
+
 } // namespace
 
 Scene loadScene(const fs::path& file, const std::vector<Override>& overrides) {
@@ -48,6 +57,7 @@ Scene loadScene(const fs::path& file, const std::vector<Override>& overrides) {
                                      oneLine(file.string()), oneLine(suffix)));
     }
     applyOverrides(root, overrides);
+    if (suffix != ".toml") dropReplacedWaves(root, overrides);
     return parseScene(root, file, meshes);
 }
 

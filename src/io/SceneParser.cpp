@@ -10,6 +10,7 @@
 #include "io/Gltf.h"
 #include "io/HeightImages.h"
 #include "io/TomlReader.h"
+#include "io/WaterPresets.h"
 #include "scene/Shapes.h"
 
 namespace fs = std::filesystem;
@@ -115,8 +116,13 @@ Wave parseWave(TomlTable table, const fs::path& folder) {
 }
 
 void parseWaves(TomlTable& table, Water& water, const fs::path& folder) {
+    const std::size_t preset = table.choice("preset", waterPresets);
     std::vector<TomlTable> waves = table.tables("wave", maxWaves);
     table.finish();
+    if (table.has("preset")) {
+        if (!waves.empty()) table.fail("preset", "no preset beside the waves of [[water.wave]]");
+        water.waves = presetWaves(preset, water.center.value_or(glm::dvec2(0)));
+    }
     int heightMaps = 0;
     for (TomlTable& wave : waves)
         if (parseWaveType(wave) == WaveType::HeightMap) ++heightMaps;

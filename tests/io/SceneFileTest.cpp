@@ -226,6 +226,34 @@ TEST(OverrideTest, TheLongestNameWinsAmongNamesWithDots) {
     EXPECT_EQ(scene.receivers[1].scale, glm::dvec3(2));
 }
 
+TEST(PresetTest, EachIsWater) {
+    for (const char* preset : {"calm pool", "breeze", "rain drops"}) {
+        const auto wavesAt = [&](const char* center) {
+            return load(std::string(smallest) + "[water]\ncenter = " + center + "\npreset = \"" + preset +
+                        "\"\n")
+                .water.waves;
+        };
+        const std::vector<Wave> waves = wavesAt("[0, 0]"), moved = wavesAt("[10, 20]");
+        ASSERT_GE(waves.size(), 4u) << preset;
+        double height = 0, slope = 0;
+        for (std::size_t i = 0; i < waves.size(); ++i) {
+            height += waves[i].amplitude;
+            slope += 2 * std::numbers::pi * waves[i].amplitude / waves[i].wavelength;
+            EXPECT_GT(waves[i].speed, 0.23) << "no wave on water is slower";
+            if (waves[i].type == WaveType::Circular) {
+                EXPECT_EQ(moved[i].center, waves[i].center + glm::dvec2(10, 20));
+            }
+        }
+        EXPECT_LT(height, 0.02) << preset;
+        EXPECT_GT(slope, 0.05) << preset << ": caustics";
+        EXPECT_LT(slope, 0.4) << preset << ": and not a storm";
+    }
+    const std::vector<Wave> drops =
+        load(std::string(smallest) + "[water]\npreset = 'rain drops'\n").water.waves;
+    ASSERT_EQ(drops.size(), 12u);
+    EXPECT_NE(drops[0].center, drops[1].center);
+}
+
 struct ModelCase {
     const char* file;
     std::vector<float> positions;
@@ -288,6 +316,18 @@ TEST(ModelAloneOverrideTest, ReachesTheEntriesMadeForIt) {
     EXPECT_EQ(worldBounds(scene.receivers[1]).size().x, 9);
     EXPECT_EQ(scene.water.waves[2].seed, 7u);
     EXPECT_EQ(scene.camera.position, glm::dvec3(1, 2, 3));
+}
+
+TEST(ModelAloneOverrideTest, APresetTakesThePlaceOfItsWaves) {
+    const TempFolder folder;
+    const auto file = folder.write("fish.glb", triangleGltf().glb());
+    EXPECT_EQ(loadScene(file, {{"water.preset", "rain drops"}}).water.waves.size(), 12u);
+    EXPECT_EQ(
+        test::errorOf(folder,
+                      [&] {
+                          loadScene(file, {{"water.preset", "breeze"}, {"water.wave.0.amplitude", "1"}});
+                      }),
+        "--set water.preset=breeze: expected no preset beside the waves of [[water.wave]], found \"breeze\"");
 }
 
 } // namespace
