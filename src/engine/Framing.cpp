@@ -54,7 +54,7 @@ void frameCamera(Scene& scene) {
     const double size = std::max(glm::length(bounds.size()), 1e-6);
     const glm::dvec3 center = bounds.center();
     if (!camera.position) {
-        const double distance = 0.7 * size / std::tan(0.5 * glm::radians(camera.verticalFov));
+        const double distance = 0.62 * size / std::tan(0.5 * glm::radians(camera.verticalFov));
         glm::dvec3 position =
             camera.target.value_or(center) + distance * glm::normalize(glm::dvec3(0.3, 1.1, 0.75));
         position.y = std::max(position.y, level + 0.35 * size);

@@ -214,7 +214,11 @@ void PicturePass::drawHorizon(const Inputs& inputs) {
     quad.attribute(0, buffer, 4, 0, 32);
     quad.attribute(1, buffer, 4, 16, 32);
     quad.bind();
-    _water.set(Hole, patchRect(inputs));
+    // The two overlap a little, or the sky shows through between them; at the rim both are flat.
+    const glm::vec4 patch = patchRect(inputs);
+    constexpr float overlap = 0.002f;
+    _water.set(Hole, glm::vec4(glm::vec2(patch) + overlap * glm::vec2(patch.z, patch.w),
+                               (1 - 2 * overlap) * glm::vec2(patch.z, patch.w)));
     _water.set(PatchRect, glm::vec4(0));
     glDrawArrays(GL_TRIANGLES, 0, 6);
 }
