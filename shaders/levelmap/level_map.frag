@@ -14,6 +14,19 @@ layout(location = 0) out vec2 outPosition;
 layout(location = 1) out vec4 outDiffuse;
 layout(location = 2) out vec2 outNormal;
 
+// The share of the mean light that reaches the texel: four places of it, moved along the face, so that an edge of shade
+// is as soft as the texel is wide and does not run in steps.
+float texelVisibility(vec3 point, vec3 normal) {
+    float facing = min(dot(normal, boxT.xyz), -0.1);
+    float lit = 0.0;
+    for (int i = 0; i < 4; ++i) {
+        vec2 quarter = 0.25 * boxExtent.w * vec2((i & 1) == 0 ? -1.0 : 1.0, i < 2 ? -1.0 : 1.0);
+        vec3 aside = quarter.x * boxU.xyz + quarter.y * boxW.xyz;
+        lit += 0.25 * meanVisibility(point + aside - boxT.xyz * (dot(normal, aside) / facing), normal, receiverNumber);
+    }
+    return lit;
+}
+
 void main() {
     vec3 position = fragmentIn.position;
     if (position.y > waterSurface.x || isHole() || !belongsToMap(fragmentIn.faceNormal)) discard;
@@ -23,7 +36,7 @@ void main() {
     vec3 asked = position;
     // A face along the light is its own edge in the scene depth map: ask beside it.
     if ((boxSize.w & 7) != 0) asked += normal * 2.0 * sceneDepthTexel();
-    float lit = testOcclusion != 0 ? meanVisibility(asked, normal, receiverNumber) : 1.0;
+    float lit = testOcclusion != 0 ? texelVisibility(asked, normal) : 1.0;
     // The inside of a solid, seen where the surface cuts it open: no light is in there.
     if ((boxSize.w & 16) != 0 && dot(fragmentIn.faceNormal, boxT.xyz) > 0.0) lit = 0.0;
     int plane = lit > 0.0 ? planeIndex(depth, boxExtent.z, boxSize.z) : -2;
