@@ -2,7 +2,6 @@
 #include "include/optics.glsl"
 layout(std140, binding = 2) uniform ViewFrame {
     mat4 viewProjection;
-    mat4 viewProjectionInverse;
     vec4 cameraPosition; // w: 1 above the water, 0 below
     vec4 ambientRadiance;
     vec4 skyRadiance;

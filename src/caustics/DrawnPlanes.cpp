@@ -4,7 +4,6 @@ namespace limpid {
 
 namespace {
 enum Uniform { PlaneDepth, PlaneNumber, Strength, ExtinctionPerMetre, TestSurfaceShadow };
-constexpr GLuint surfaceShadowUnit = 3;
 } // namespace
 
 DrawnPlanes::DrawnPlanes(gl::Context& context)

@@ -30,21 +30,11 @@ FluxAudit::FluxAudit(gl::Context& context)
     : _context(context), _land({"caustics/landings.comp"}), _meet({"caustics/landings_facing.comp"}),
       _place({"caustics/place.comp"}) {}
 
-void FluxAudit::land(int firstTriangle, int beamCount, const gl::Texture& sceneDepth, double farthest) {
-    sceneDepth.bind(1);
-    _land.set(RayCount, beamCount * raysPerBeam);
-    _land.set(LandFirstTriangle, firstTriangle);
-    _land.set(Farthest, float(farthest));
-    _land.dispatch(std::int64_t(beamCount) * raysPerBeam, groupSize);
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-}
-
-void FluxAudit::meetFurtherMap(int firstTriangle, int beamCount, const Placed& placed, double farthest) {
-    _meet.set(RayCount, beamCount * raysPerBeam);
-    _meet.set(LandFirstTriangle, firstTriangle);
-    _meet.set(Farthest, float(farthest));
-    _meet.set(MetReceiver, placed.receiver);
-    _meet.dispatch(std::int64_t(beamCount) * raysPerBeam, groupSize);
+void FluxAudit::follow(const gl::Program& program, int firstTriangle, int beamCount, double farthest) {
+    program.set(RayCount, beamCount * raysPerBeam);
+    program.set(LandFirstTriangle, firstTriangle);
+    program.set(Farthest, float(farthest));
+    program.dispatch(std::int64_t(beamCount) * raysPerBeam, groupSize);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
@@ -74,7 +64,7 @@ FluxBalance FluxAudit::count(const Beams& beams, const WaterMesh& surface, const
     _place.set(Absorption, glm::vec3(water.absorption));
     _place.set(Scattering, glm::vec3(water.scattering));
     beams.frame.bindUniform(0);
-    if (beams.surfaceShadow) beams.surfaceShadow->bind(3);
+    if (beams.surfaceShadow) beams.surfaceShadow->bind(surfaceShadowUnit);
     surface.indices.bindStorage(0);
     beams.origins.bindStorage(3);
     beams.directions.bindStorage(4);
@@ -83,11 +73,13 @@ FluxBalance FluxAudit::count(const Beams& beams, const WaterMesh& surface, const
     counts.bindStorage(7);
     for (int first = 0; first < beams.triangleCount; first += atOnce) {
         const int beamCount = std::min(atOnce, beams.triangleCount - first);
-        land(first, beamCount, sceneDepth, farthest);
+        sceneDepth.bind(1);
+        follow(_land, first, beamCount, farthest);
         for (const Placed& placed : maps) {
             if (placed.map->facing == 0) continue;
             bindMap(*placed.map);
-            meetFurtherMap(first, beamCount, placed, farthest);
+            _meet.set(MetReceiver, placed.receiver);
+            follow(_meet, first, beamCount, farthest);
         }
         for (const Placed& placed : maps) {
             bindMap(*placed.map);

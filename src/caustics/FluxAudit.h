@@ -37,8 +37,7 @@ class FluxAudit {
                       const gl::Texture& sceneDepth, std::span<const Placed> maps, double farthest);
 
   private:
-    void land(int firstTriangle, int beamCount, const gl::Texture& sceneDepth, double farthest);
-    void meetFurtherMap(int firstTriangle, int beamCount, const Placed& placed, double farthest);
+    void follow(const gl::Program& program, int firstTriangle, int beamCount, double farthest);
     void place(int firstTriangle, int beamCount, int receiverNumber);
     gl::Context& _context;
     gl::Program _land, _meet, _place;

@@ -198,9 +198,9 @@ Picture Engine::render(double time, glm::ivec2 size) {
     std::vector<PicturePass::Lit> lit;
     for (const ReceiverMaps& maps : _maps)
         lit.push_back({maps.receiver, &maps.level, &maps.caustics});
-    std::vector<PicturePass::Shine> lights;
+    std::vector<const Beams*> lights;
     for (const LightState& state : _lights)
-        lights.push_back({&state.beams, state.surfaceShadow.id() ? &state.surfaceShadow : nullptr});
+        lights.push_back(&state.beams);
     return _picturePass->draw({_scene, _origin, _patch, _surface.mesh(), _receivers, lit, lights}, size);
 }
 

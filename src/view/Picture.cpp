@@ -17,20 +17,18 @@ constexpr double underwaterMargin = 0.15; // of the view's half width: waves loo
 constexpr glm::ivec2 groupSize{8, 8};
 constexpr GLuint viewBinding = 2;
 enum ReceiverUniform { Underwater, WithAmbient, WithCaustics, Strength };
-constexpr GLuint surfaceShadowUnit = 3;
+
 enum WaterUniform { Hole, PatchRect, Sun };
 enum ScreenUniform { TargetSize = 1 };
 
 struct ViewFrameData {
-    glm::mat4 viewProjection, viewProjectionInverse;
+    glm::mat4 viewProjection;
     glm::vec4 cameraPosition, ambientRadiance, skyRadiance, waterExtinction, viewWater, deepRadiance;
 };
 
 /// An upper bound on metres of water between the camera's rays and any receiver. Waves bend rays further than
 /// flat water does; a quarter more has room for it.
-double farthestSeen(const PicturePass::Inputs& inputs, const glm::dvec3& camera) {
-    const Bounds bounds = worldBounds(inputs.scene);
-    const Water& water = inputs.scene.water;
+double farthestSeen(const Bounds& bounds, const Water& water, const glm::dvec3& camera) {
     double farthest = 1e-6;
     for (int i = 0; i < 8; ++i) {
         const glm::dvec3 corner(i & 1 ? bounds.max.x : bounds.min.x, i & 2 ? bounds.max.y : bounds.min.y,
@@ -45,9 +43,7 @@ double farthestSeen(const PicturePass::Inputs& inputs, const glm::dvec3& camera)
 }
 
 /// Nothing nearer than this is seen, m: a thousandth of the way to what the picture is about.
-double nearPlane(const PicturePass::Inputs& inputs) {
-    const Camera& camera = inputs.scene.camera;
-    const Bounds bounds = worldBounds(inputs.scene);
+double nearPlane(const Bounds& bounds, const Camera& camera) {
     const double toScene =
         bounds.empty() ? 1e300
                        : glm::distance(*camera.position, bounds.center()) + glm::length(bounds.size());
@@ -73,7 +69,8 @@ ViewFrameData viewFrame(const PicturePass::Inputs& inputs, glm::ivec2 size) {
     const Scene& scene = inputs.scene;
     const Camera& camera = scene.camera;
     const glm::dvec3 position = *camera.position - inputs.origin, target = *camera.target - inputs.origin;
-    const double near = nearPlane(inputs);
+    const Bounds bounds = worldBounds(scene);
+    const double near = nearPlane(bounds, camera);
     const glm::dmat4 projection =
         glm::infinitePerspective(glm::radians(camera.verticalFov), double(size.x) / double(size.y), near);
     const glm::dvec3 forward = glm::normalize(target - position);
@@ -82,12 +79,11 @@ ViewFrameData viewFrame(const PicturePass::Inputs& inputs, glm::ivec2 size) {
     const glm::dmat4 view = glm::lookAt(position, target, vertical ? glm::dvec3(0, 0, -1) : camera.up);
     ViewFrameData frame;
     frame.viewProjection = projection * view;
-    frame.viewProjectionInverse = glm::inverse(projection * view);
     frame.cameraPosition = glm::vec4(position, camera.position->y > scene.water.level ? 1 : 0);
     frame.ambientRadiance = glm::vec4(scene.ambientRadiance, 0);
     frame.skyRadiance = glm::vec4(scene.skyRadiance, 0);
-    frame.waterExtinction =
-        glm::vec4(scene.water.absorption + scene.water.scattering, farthestSeen(inputs, *camera.position));
+    frame.waterExtinction = glm::vec4(scene.water.absorption + scene.water.scattering,
+                                      farthestSeen(bounds, scene.water, *camera.position));
     frame.viewWater =
         glm::vec4(scene.water.level - inputs.origin.y, scene.water.ior, 1 / (1 + underwaterMargin), 0);
     frame.deepRadiance = glm::vec4(deepRadiance(scene), 0);
@@ -151,8 +147,8 @@ void PicturePass::addDirectLight(const Inputs& inputs, std::size_t receiver, boo
         const Light& light = inputs.scene.lights[i];
         const bool sunken = light.type == LightType::Point && light.position.y < inputs.scene.water.level;
         if (sunken != underwater) continue;
-        inputs.lights[i].beams->frame.bindUniform(0);
-        if (inputs.lights[i].surfaceShadow) inputs.lights[i].surfaceShadow->bind(surfaceShadowUnit);
+        inputs.lights[i]->frame.bindUniform(0);
+        if (inputs.lights[i]->surfaceShadow) inputs.lights[i]->surfaceShadow->bind(surfaceShadowUnit);
         _receiver.set(Strength,
                       glm::vec3(light.type == LightType::Point ? light.intensity : light.irradiance));
         inputs.receivers[receiver].draw(_receiver, GL_PATCHES);
@@ -236,8 +232,8 @@ void PicturePass::drawWater(const Inputs& inputs) {
     for (std::size_t i = 0; i < inputs.scene.lights.size(); ++i) {
         const Light& light = inputs.scene.lights[i];
         if (light.type != LightType::Directional || !entersWater(light, inputs.scene.water)) continue;
-        inputs.lights[i].beams->frame.bindUniform(0);
-        if (inputs.lights[i].surfaceShadow) inputs.lights[i].surfaceShadow->bind(surfaceShadowUnit);
+        inputs.lights[i]->frame.bindUniform(0);
+        if (inputs.lights[i]->surfaceShadow) inputs.lights[i]->surfaceShadow->bind(surfaceShadowUnit);
         _water.set(Sun, glm::vec3(light.irradiance));
         drawHorizon(inputs);
         drawGrid(inputs);

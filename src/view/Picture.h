@@ -39,11 +39,6 @@ class PicturePass {
         const LevelMap* level;
         const CausticMap* caustics;
     };
-    /// A light on what stands out of the water.
-    struct Shine {
-        const Beams* beams;               ///< for its frame
-        const gl::Texture* surfaceShadow; ///< null: nothing is in the shade of anything
-    };
     struct Inputs {
         const Scene& scene; ///< its camera's position and target are set
         const glm::dvec3& origin;
@@ -51,7 +46,7 @@ class PicturePass {
         const WaterMesh& surface;
         std::span<const ReceiverGeometry> receivers;
         std::span<const Lit> lit;
-        std::span<const Shine> lights; ///< in the scene's order
+        std::span<const Beams* const> lights; ///< in the scene's order
     };
     Picture draw(const Inputs& inputs, glm::ivec2 size);
 

@@ -6,7 +6,6 @@ namespace limpid {
 
 namespace {
 constexpr int groupSize = 64;
-constexpr GLuint surfaceShadowUnit = 3;
 enum Uniform { Count };
 } // namespace
 

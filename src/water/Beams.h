@@ -19,6 +19,9 @@ struct LightFrameData {
 };
 LightFrameData lightFrame(const Light& light, const Water& water, const glm::dvec3& origin);
 
+/// Texture unit of the surface shadow map, as shaders/include/surface_shadow.glsl has it.
+inline constexpr GLuint surfaceShadowUnit = 3;
+
 /// The illumination volumes of one light (thesis eq. 4-14): every method reads only these. Beam i is the
 /// prism of refracted rays through the corners of water triangle i.
 struct Beams {
