@@ -24,19 +24,23 @@ void BeamFootprints::resize(const Beams& beams, const WaterMesh& surface) {
     _vertexArray.indices(surface.indices);
 }
 
-void BeamFootprints::update(const Beams& beams, const WaterMesh& surface, const LevelMap& map) {
+void BeamFootprints::updateRays(const Beams& beams, const WaterMesh& surface, const LevelMap& map) {
     resize(beams, surface);
     map.box.bindUniform(1);
-    surface.indices.bindStorage(0);
     beams.origins.bindStorage(3);
     beams.directions.bindStorage(4);
-    beams.flux.bindStorage(5);
     _footprints.bindStorage(6);
     _originDepths.bindStorage(7);
-    _areas.bindStorage(8);
     _rays.set(Count, _vertexCount);
     _rays.dispatch(_vertexCount, groupSize);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+}
+
+void BeamFootprints::update(const Beams& beams, const WaterMesh& surface, const LevelMap& map) {
+    updateRays(beams, surface, map);
+    surface.indices.bindStorage(0);
+    beams.flux.bindStorage(5);
+    _areas.bindStorage(8);
     _area.set(Count, _triangleCount);
     _area.dispatch(_triangleCount, groupSize);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT);

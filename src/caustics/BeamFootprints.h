@@ -13,8 +13,14 @@ class BeamFootprints {
     explicit BeamFootprints(gl::Context& context);
 
     void update(const Beams& beams, const WaterMesh& surface, const LevelMap& map);
+    /// The rays alone, without the areas.
+    void updateRays(const Beams& beams, const WaterMesh& surface, const LevelMap& map);
 
     const gl::VertexArray& vertexArray() const { return _vertexArray; }
+    /// A vertex: vec4, the texel that its ray meets at depth 0 and how it moves by m of depth.
+    const gl::Buffer& rays() const { return _footprints; }
+    /// A vertex: float, depth at which its ray begins, m.
+    const gl::Buffer& originDepths() const { return _originDepths; }
     /// A triangle: vec4, twice its area in texels as c0 + c1 z + c2 z² of the depth z in m; flux as in Beams.
     const gl::Buffer& areas() const { return _areas; }
     int triangleCount() const { return _triangleCount; }

@@ -24,6 +24,7 @@ using namespace glm;
 namespace limpid::shader {
 namespace {
 using namespace glm;
+#include "include/beam_area.glsl"
 #include "include/octahedral.glsl"
 #include "include/optics.glsl"
 #include "include/planes.glsl"

@@ -8,6 +8,7 @@
 #include "core/Error.h"
 #include "engine/Framing.h"
 #include "water/FlatWater.h"
+#include "water/WaveTerms.h"
 
 namespace limpid {
 
@@ -21,6 +22,11 @@ glm::dvec3 chooseOrigin(const Bounds& bounds) {
     if (bounds.empty()) return glm::dvec3(0);
     const double size = std::max(glm::length(bounds.size()), 1e-9);
     return glm::length(bounds.center()) > 16 * size ? glm::round(bounds.center()) : glm::dvec3(0);
+}
+
+/// As texelFrame has it.
+bool isFlat(const OrientedBox& box) {
+    return box.extent.z <= 1e-4 * std::max(box.extent.x, box.extent.y);
 }
 
 double farthestWater(const Light& light, const Water& water, const std::vector<glm::dvec3>& points) {
@@ -50,8 +56,8 @@ void requireGrid(glm::ivec2 grid, const gl::DeviceInfo& gpu) {
 
 Engine::Engine(gl::Context& context)
     : _context(context), _surface(context), _beamTracer(context), _sceneDepthPass(context),
-      _surfaceShadowPass(context), _levelMapPass(context), _smartSlicing(context), _drawnPlanes(context),
-      _fluxAudit(context) {}
+      _surfaceShadowPass(context), _levelMapPass(context), _smartSlicing(context),
+      _tangentPlanesPass(context), _drawnPlanes(context), _exactBeams(context), _fluxAudit(context) {}
 
 void Engine::setScene(Scene scene) {
     _scene = std::move(scene);
@@ -68,6 +74,8 @@ void Engine::setScene(Scene scene) {
         const auto above = pointsOfSide(receiver, _scene.water.level, Side::Above);
         _dry.insert(_dry.end(), above.begin(), above.end());
     }
+    _staticReady = false;
+    _causticsTime.reset();
     _lights.clear();
     _lights.resize(_scene.lights.size());
     _maps.clear();
@@ -86,7 +94,8 @@ void Engine::addMaps(int light, int receiver) {
     const glm::dvec3 direction =
         meanDirection(_scene.lights[std::size_t(light)], _scene.water, bounds.center());
     const auto facings = std::make_shared<const Facings>(
-        findFacings(_scene.receivers[std::size_t(receiver)], direction, _scene.water.level));
+        findFacings(_scene.receivers[std::size_t(receiver)], direction, _scene.water.level,
+                    _receivers[std::size_t(receiver)].closed()));
     for (int facing = 0; facing <= 4; ++facing) {
         if (facing > 0 && !facings->used[std::size_t(facing - 1)]) continue;
         ReceiverMaps& maps = _maps.emplace_back();
@@ -94,27 +103,50 @@ void Engine::addMaps(int light, int receiver) {
         maps.receiver = receiver;
         maps.facings = facings;
         maps.level.facing = facing;
+        maps.box = facing > 0 ? tightBox(facings->points[std::size_t(facing - 1)],
+                                         facings->viewDirection(facing - 1))
+                              : tightBox(points, direction);
     }
 }
 
 void Engine::updateCaustics(double time) {
+    const bool rests = _reuse && _causticsTime && (*_causticsTime == time || !moves(_scene.water));
+    if (rests) return;
+    _causticsTime = time;
     {
         Scope scope(_timers, "water");
         _surface.update(_scene.water, _patch, _origin, time);
     }
+    if (!_reuse || !_staticReady) updateStatic();
+    for (LightState& state : _lights) {
+        Scope scope(_timers, "beams");
+        _beamTracer.trace(state.beams, _surface.mesh(),
+                          state.surfaceShadow.id() ? &state.surfaceShadow : nullptr);
+    }
+    for (ReceiverMaps& maps : _maps)
+        fill(maps);
+}
+
+/// What does not depend on the water's surface.
+void Engine::updateStatic() {
     for (int light = 0; light < int(_lights.size()); ++light)
         updateLight(light);
-    for (ReceiverMaps& maps : _maps)
-        updateReceiver(maps);
+    for (ReceiverMaps& maps : _maps) {
+        updateLevelMap(maps);
+        if (_scene.caustics.method == Method::LevelMapSmart) slice(maps.level);
+    }
+    _staticReady = true;
 }
 
 bool Engine::needsSceneDepth(int index) const {
     const Light& light = _scene.lights[std::size_t(index)];
     if (!entersWater(light, _scene.water)) return false;
     // A receiver alone shades itself within its own map, unless a lamp sees it from other sides than the box
-    // does, or a further map looks from elsewhere.
+    // does, or a further map looks from elsewhere. Beams that go their own ways are shaded by all but a
+    // plane.
+    const bool own = _scene.caustics.method == Method::ExactBeam;
     const bool further = std::any_of(_maps.begin(), _maps.end(), [&](const ReceiverMaps& m) {
-        return m.light == index && m.level.facing > 0;
+        return m.light == index && (m.level.facing > 0 || (own && !isFlat(m.box)));
     });
     return _receivers.size() > 1 || light.type == LightType::Point || further;
 }
@@ -131,15 +163,10 @@ void Engine::updateLight(int index) {
         state.farthest = farthestWater(light, _scene.water, points);
     }
     frame.surfaceShadowRect = surfaceShadowRect(light, _scene.water, _patch, _dry, _origin);
-    const bool shaded = frame.surfaceShadowRect.z > 0;
     _beamTracer.prepare(state.beams, _surface.mesh(), light, _scene.water, frame);
-    if (shaded) {
+    if (frame.surfaceShadowRect.z > 0) {
         Scope scope(_timers, "surface shadow");
         _surfaceShadowPass.draw(state.surfaceShadow, state.beams, _receivers);
-    }
-    {
-        Scope scope(_timers, "beams");
-        _beamTracer.trace(state.beams, _surface.mesh(), shaded ? &state.surfaceShadow : nullptr);
     }
     state.sceneDepth = {};
     if (needsSceneDepth(index)) drawSceneDepth(index);
@@ -148,46 +175,63 @@ void Engine::updateLight(int index) {
 void Engine::drawSceneDepth(int index) {
     LightState& state = _lights[std::size_t(index)];
     Scope scope(_timers, "scene depth map");
-    _sceneDepthPass.draw(state.sceneDepth, sceneDepthSize(state.beams.rect, _scene.caustics.mapSize),
-                         state.beams, _receivers, state.farthest);
+    const SceneDepthPass::Inputs inputs{state.beams, _receivers, state.farthest};
+    _sceneDepthPass.drawFirst(state.sceneDepth, sceneDepthSize(state.beams.rect, _scene.caustics.mapSize),
+                              inputs);
+    if (_scene.caustics.method == Method::ExactBeam) _sceneDepthPass.drawExits(state.sceneDepth, inputs);
 }
 
-void Engine::updateReceiver(ReceiverMaps& maps) {
+void Engine::updateLevelMap(ReceiverMaps& maps) {
     const CausticsSettings& settings = _scene.caustics;
     const LightState& state = _lights[std::size_t(maps.light)];
+    const SceneDepth* sceneDepth = state.sceneDepth.first.id() ? &state.sceneDepth : nullptr;
     {
         Scope scope(_timers, "level map");
-        const int facing = maps.level.facing;
-        const auto& points = facing > 0 ? maps.facings->points[std::size_t(facing - 1)]
-                                        : _submerged[std::size_t(maps.receiver)];
-        const OrientedBox box =
-            tightBox(points, facing > 0 ? maps.facings->viewDirection(facing - 1) : maps.facings->light);
         // Alone and seen along the light, a receiver has nothing before it but itself.
-        const bool alone = facing == 0 && _receivers.size() == 1 &&
+        const bool alone = maps.level.facing == 0 && _receivers.size() == 1 &&
                            _scene.lights[std::size_t(maps.light)].type == LightType::Directional;
         const LevelMapPass::Inputs inputs{_receivers[std::size_t(maps.receiver)], maps.receiver, state.beams,
-                                          state.sceneDepth.id() && !alone ? &state.sceneDepth : nullptr,
-                                          *maps.facings};
-        _levelMapPass.draw(maps.level, inputs, box, settings.mapSize, settings.planes, _origin);
+                                          sceneDepth && !alone ? &sceneDepth->first : nullptr, *maps.facings};
+        _levelMapPass.draw(maps.level, inputs, maps.box, settings.mapSize, settings.planes, _origin);
     }
-    if (settings.method == Method::LevelMapSmart) {
-        Scope scope(_timers, "slicing");
-        if (settings.slicing == Slicing::Automatic && _skipping) _smartSlicing.dropEmptyPlanes(maps.level);
-        if (settings.slicing == Slicing::Levels)
-            _smartSlicing.sliceByLevels(maps.level, settings.depthLevels, settings.threshold);
-    }
+    if (settings.method != Method::ExactBeam) return;
+    Scope scope(_timers, "tangent planes");
+    _tangentPlanesPass.update(maps.tangents, maps.level, state.beams, sceneDepth);
+}
+
+void Engine::slice(LevelMap& map) {
+    const CausticsSettings& settings = _scene.caustics;
+    Scope scope(_timers, "slicing");
+    if (settings.slicing == Slicing::Automatic && _skipping) _smartSlicing.dropEmptyPlanes(map);
+    if (settings.slicing == Slicing::Levels)
+        _smartSlicing.sliceByLevels(map, settings.depthLevels, settings.threshold);
+}
+
+void Engine::fill(ReceiverMaps& maps) {
+    const LightState& state = _lights[std::size_t(maps.light)];
     Scope scope(_timers, "caustic map");
-    _drawnPlanes.fill(maps.caustics, maps.level, state.beams, _surface.mesh(), _scene.water);
+    switch (_scene.caustics.method) {
+    case Method::LevelMap:
+    case Method::LevelMapSmart:
+        _drawnPlanes.fill(maps.caustics, maps.level, state.beams, _surface.mesh(), _scene.water);
+        break;
+    case Method::ExactBeam:
+        _exactBeams.fill(maps.caustics,
+                         {maps.level, maps.tangents,
+                          state.sceneDepth.first.id() ? &state.sceneDepth : nullptr, state.beams,
+                          _surface.mesh(), _scene.water, _scene.lights[std::size_t(maps.light)]});
+        break;
+    }
 }
 
 FluxBalance Engine::auditFlux(int index) {
     LightState& state = _lights[std::size_t(index)];
-    if (!state.sceneDepth.id()) drawSceneDepth(index);
+    if (!state.sceneDepth.first.id()) drawSceneDepth(index);
     std::vector<FluxAudit::Placed> levels;
     for (const ReceiverMaps& maps : _maps)
         if (maps.light == index) levels.push_back({maps.receiver, &maps.level});
     Scope scope(_timers, "flux audit");
-    return _fluxAudit.count(state.beams, _surface.mesh(), _scene.water, state.sceneDepth, levels,
+    return _fluxAudit.count(state.beams, _surface.mesh(), _scene.water, state.sceneDepth.first, levels,
                             state.farthest);
 }
 

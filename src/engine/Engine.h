@@ -1,10 +1,12 @@
 #pragma once
 #include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "caustics/CausticMap.h"
 #include "caustics/DrawnPlanes.h"
+#include "caustics/ExactBeams.h"
 #include "caustics/FluxAudit.h"
 #include "gl/Context.h"
 #include "gl/TimerQuery.h"
@@ -12,6 +14,7 @@
 #include "levelmap/ReceiverGeometry.h"
 #include "levelmap/SceneDepthMap.h"
 #include "levelmap/SurfaceShadow.h"
+#include "levelmap/TangentPlanes.h"
 #include "scene/Scene.h"
 #include "view/Picture.h"
 #include "water/Beams.h"
@@ -22,7 +25,7 @@ namespace limpid {
 /// What one light does: its beams, and what they meet first if the water were flat.
 struct LightState {
     Beams beams;
-    gl::Texture sceneDepth;
+    SceneDepth sceneDepth;
     gl::Texture surfaceShadow; ///< empty if nothing stands out of the water
     double farthest = 1;       ///< m of water to the farthest receiver, at most
 };
@@ -32,7 +35,9 @@ struct ReceiverMaps {
     int receiver = 0;
     int light = 0;
     std::shared_ptr<const Facings> facings; ///< of this receiver and light
+    OrientedBox box;                        ///< in the world
     LevelMap level;
+    TangentPlanes tangents; ///< for exact beams only
     CausticMap caustics;
 };
 
@@ -67,13 +72,18 @@ class Engine {
 
     /// Off: all work is done that skipping would save (here: planes that no texel belongs to). The result is
     /// the same.
-    void setSkipping(bool on) { _skipping = on; }
+    void setSkipping(bool on) { _skipping = _reuse = on; }
+    /// Off: every frame is made from nothing, as if all had moved.
+    void setReuse(bool on) { _reuse = on; }
 
     gl::PassTimers& timers() { return _timers; }
 
   private:
     void updateLight(int light);
-    void updateReceiver(ReceiverMaps& maps);
+    void updateStatic();
+    void updateLevelMap(ReceiverMaps& maps);
+    void slice(LevelMap& map);
+    void fill(ReceiverMaps& maps);
     void addMaps(int light, int receiver);
     void drawSceneDepth(int light);
     bool needsSceneDepth(int light) const;
@@ -86,11 +96,15 @@ class Engine {
     SurfaceShadowPass _surfaceShadowPass;
     LevelMapPass _levelMapPass;
     SmartSlicing _smartSlicing;
+    TangentPlanesPass _tangentPlanesPass;
     DrawnPlanes _drawnPlanes;
+    ExactBeams _exactBeams;
     FluxAudit _fluxAudit;
     std::unique_ptr<PicturePass> _picturePass; ///< made for the first picture: a bake needs none
 
-    bool _skipping = true;
+    bool _skipping = true, _reuse = true;
+    bool _staticReady = false;
+    std::optional<double> _causticsTime;
     Scene _scene;
     glm::dvec3 _origin{0};
     WaterPatch _patch;

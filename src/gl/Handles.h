@@ -74,10 +74,11 @@ class Texture {
 
     GLuint id() const { return _id; }
     glm::ivec2 size() const { return _size; }
+    int levels() const { return _levels; }
     GLenum internalFormat() const { return _format; }
     void bind(GLuint unit) const { glBindTextureUnit(unit, _id); }
-    void bindImage(GLuint unit, GLenum access) const {
-        glBindImageTexture(unit, _id, 0, GL_FALSE, 0, access, _format);
+    void bindImage(GLuint unit, GLenum access, int level = 0) const {
+        glBindImageTexture(unit, _id, level, GL_FALSE, 0, access, _format);
     }
     /// Fills the texture; its smaller levels follow.
     void upload(GLenum format, GLenum type, const void* data);

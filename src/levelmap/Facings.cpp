@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <numeric>
 #include <tuple>
 
 namespace limpid {
@@ -27,21 +27,57 @@ void gather(Facings& facings, std::array<double, 4>& areas, const Face& face, co
 
 } // namespace
 
-bool isClosed(const Mesh& mesh) {
-    std::map<std::tuple<double, double, double>, int> places;
-    std::vector<int> place;
-    for (const glm::dvec3& p : mesh.positions)
-        place.push_back(places.emplace(std::tuple(p.x, p.y, p.z), int(places.size())).first->second);
-    std::map<std::pair<int, int>, int> open; // how often an edge is gone along, less how often against
-    for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
-        const int a = place[mesh.indices[i]], b = place[mesh.indices[i % 3 == 2 ? i - 2 : i + 1]];
-        if (a < b) ++open[{a, b}];
-        if (a > b) --open[{b, a}];
-    }
-    return std::all_of(open.begin(), open.end(), [](const auto& edge) { return edge.second == 0; });
+namespace {
+
+/// For each corner, one number for all that lie at its place.
+std::vector<std::uint32_t> placesOf(const std::vector<glm::dvec3>& positions) {
+    std::vector<std::uint32_t> order(positions.size()), places(positions.size());
+    std::iota(order.begin(), order.end(), 0u);
+    const auto key = [&](std::uint32_t i) {
+        return std::tuple(positions[i].x, positions[i].y, positions[i].z);
+    };
+    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
+    for (std::size_t i = 0; i < order.size(); ++i)
+        places[order[i]] = i > 0 && key(order[i]) == key(order[i - 1]) ? places[order[i - 1]] : order[i];
+    return places;
 }
 
-Facings findFacings(const Receiver& receiver, const glm::dvec3& light, double level) {
+} // namespace
+
+bool isClosed(const Mesh& mesh) {
+    const auto places = placesOf(mesh.positions);
+    struct Edge {
+        std::uint32_t low, high;
+        int way;
+    };
+    std::vector<Edge> edges;
+    edges.reserve(mesh.indices.size());
+    for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
+        const auto a = places[mesh.indices[i]], b = places[mesh.indices[i % 3 == 2 ? i - 2 : i + 1]];
+        if (a != b) edges.push_back({std::min(a, b), std::max(a, b), a < b ? 1 : -1});
+    }
+    const auto less = [](const Edge& a, const Edge& b) {
+        return std::tie(a.low, a.high) < std::tie(b.low, b.high);
+    };
+    std::sort(edges.begin(), edges.end(), less);
+    for (std::size_t i = 0; i < edges.size();) {
+        int sum = 0;
+        const std::size_t first = i;
+        for (; i < edges.size() && !less(edges[first], edges[i]); ++i)
+            sum += edges[i].way;
+        if (sum != 0) return false;
+    }
+    return true;
+}
+
+bool isSolid(const Receiver& receiver) {
+    const auto cutOut = [](const Material& m) { return m.alphaMode != AlphaMode::Opaque; };
+    const Mesh& mesh = *receiver.mesh;
+    const bool mirrored = receiver.scale.x * receiver.scale.y * receiver.scale.z < 0;
+    return !mirrored && std::none_of(mesh.materials.begin(), mesh.materials.end(), cutOut) && isClosed(mesh);
+}
+
+Facings findFacings(const Receiver& receiver, const glm::dvec3& light, double level, bool closed) {
     Facings facings;
     facings.light = glm::normalize(light);
     const glm::dvec3 helper = std::abs(facings.light.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 0, 1);
@@ -71,8 +107,7 @@ Facings findFacings(const Receiver& receiver, const glm::dvec3& light, double le
     const bool cut = bounds.min.y < level && bounds.max.y > level;
     const bool further = steep >= Facings::fairShare * whole;
     if (!further && !cut) return facings;
-    const bool mirrored = receiver.scale.x * receiver.scale.y * receiver.scale.z < 0;
-    facings.sheet = mirrored || !isClosed(mesh);
+    facings.sheet = !closed;
     facings.hollow = cut && !facings.sheet;
     if (!further) return facings;
     for (const Face& face : faces) {

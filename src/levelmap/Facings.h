@@ -31,10 +31,14 @@ struct Facings {
     glm::dvec3 viewDirection(int k) const { return glm::normalize(light - axes[std::size_t(k)]); }
 };
 
-/// `light`: the mean light at the receiver; `level`: faces wholly above it do not count.
-Facings findFacings(const Receiver& receiver, const glm::dvec3& light, double level);
+/// `light`: the mean light at the receiver; `level`: faces wholly above it do not count; `closed`: whether
+/// the receiver is a solid (isSolid).
+Facings findFacings(const Receiver& receiver, const glm::dvec3& light, double level, bool closed);
 
 /// Whether every edge of the mesh is shared by two triangles, once corners at one place count as one.
 bool isClosed(const Mesh& mesh);
+
+/// Whether the receiver encloses a solid: its mesh is closed, not mirrored by its scale, and has no cut-outs.
+bool isSolid(const Receiver& receiver);
 
 } // namespace limpid

@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "levelmap/Facings.h"
+
 namespace limpid {
 
 namespace {
@@ -64,7 +66,7 @@ std::vector<Vertex> worldVertices(const Receiver& receiver, const glm::dvec3& or
 } // namespace
 
 ReceiverGeometry::ReceiverGeometry(gl::Context& context, const Receiver& receiver, const glm::dvec3& origin)
-    : _parts(receiver.mesh->parts), _materials(receiver.mesh->materials) {
+    : _parts(receiver.mesh->parts), _materials(receiver.mesh->materials), _closed(isSolid(receiver)) {
     gl::Ledger& ledger = context.ledger();
     const auto vertices = worldVertices(receiver, origin);
     _vertices = gl::Buffer(ledger, "meshes", std::span<const Vertex>(vertices));

@@ -21,6 +21,10 @@ class ReceiverGeometry {
     /// `primitive` is GL_TRIANGLES, or GL_PATCHES for a program that tessellates.
     void draw(const gl::Program& program, GLenum primitive = GL_TRIANGLES) const;
 
+    /// Whether its surface encloses a solid: closed, wound outwards as far as signs of scale can say, and
+    /// without holes of cut-outs.
+    bool closed() const { return _closed; }
+
   private:
     void uploadImages(gl::Ledger& ledger, const Mesh& mesh);
     gl::VertexArray _vertexArray;
@@ -29,6 +33,7 @@ class ReceiverGeometry {
     gl::Texture _white;
     std::vector<MeshPart> _parts;
     std::vector<Material> _materials;
+    bool _closed = false;
 };
 
 enum class Side { Below, Above };

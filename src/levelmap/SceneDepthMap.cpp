@@ -6,7 +6,9 @@ namespace limpid {
 
 namespace {
 enum Uniform { ReceiverNumber = 1, Farthest = 2, MapSize = 3 };
-}
+enum Unit : GLuint { First = 1, Exit = 5, Pyramid = 6 };
+constexpr glm::ivec2 groupSize{8, 8};
+} // namespace
 
 glm::vec4 sceneDepthRect(const Light& light, const Water& water, std::span<const glm::dvec3> points,
                          const glm::dvec3& origin) {
@@ -20,29 +22,64 @@ glm::vec4 sceneDepthRect(const Light& light, const Water& water, std::span<const
     return glm::vec4(corner, grown);
 }
 
+void SceneDepth::bind() const {
+    first.bind(First);
+    if (exit.id()) exit.bind(Exit);
+    if (pyramid.id()) pyramid.bind(Pyramid);
+}
+
 SceneDepthPass::SceneDepthPass(gl::Context& context)
     : _context(context),
-      _program({"levelmap/scene_depth.vert", "levelmap/face.geom", "levelmap/scene_depth.frag"}) {}
+      _first({"levelmap/scene_depth.vert", "levelmap/face.geom", "levelmap/scene_depth.frag"}),
+      _exit({"levelmap/scene_depth.vert", "levelmap/face.geom", "levelmap/scene_exit.frag"}),
+      _range({"levelmap/scene_depth_range.comp"}), _pyramid(DepthPyramidPass::Content::RangeAndExit) {}
 
-void SceneDepthPass::draw(gl::Texture& map, glm::ivec2 size, const Beams& beams,
-                          std::span<const ReceiverGeometry> receivers, double farthest) {
-    if (map.size() != size || map.id() == 0)
-        map = gl::Texture(_context.ledger(), "scene depth map", GL_RG32F, size);
-    const gl::Texture depth(_context.ledger(), "depth buffer", GL_DEPTH_COMPONENT32F, size);
-    const gl::Texture* const targets[] = {&map};
-    const gl::Framebuffer framebuffer("scene depth map", targets, &depth);
+void SceneDepthPass::drawReceivers(const gl::Program& program, glm::ivec2 size, const Inputs& inputs,
+                                   bool closedOnly) {
+    glEnable(GL_DEPTH_TEST);
+    inputs.beams.frame.bindUniform(0);
+    program.set(Farthest, float(inputs.farthest));
+    program.set(MapSize, size);
+    for (std::size_t i = 0; i < inputs.receivers.size(); ++i) {
+        if (closedOnly && !inputs.receivers[i].closed()) continue;
+        program.set(ReceiverNumber, int(i));
+        inputs.receivers[i].draw(program);
+    }
+    glDisable(GL_DEPTH_TEST);
+}
+
+void SceneDepthPass::drawFirst(SceneDepth& depth, glm::ivec2 size, const Inputs& inputs) {
+    if (depth.first.size() != size || depth.first.id() == 0)
+        depth.first = gl::Texture(_context.ledger(), "scene depth map", GL_RG32F, size);
+    const gl::Texture buffer(_context.ledger(), "depth buffer", GL_DEPTH_COMPONENT32F, size);
+    const gl::Texture* const targets[] = {&depth.first};
+    const gl::Framebuffer framebuffer("scene depth map", targets, &buffer);
     framebuffer.bind();
     framebuffer.clearColor(0, {1e30f, -1, 0, 0});
     framebuffer.clearDepth(1);
-    glEnable(GL_DEPTH_TEST);
-    beams.frame.bindUniform(0);
-    _program.set(Farthest, float(farthest));
-    _program.set(MapSize, size);
-    for (std::size_t i = 0; i < receivers.size(); ++i) {
-        _program.set(ReceiverNumber, int(i));
-        receivers[i].draw(_program);
+    drawReceivers(_first, size, inputs, false);
+}
+
+void SceneDepthPass::drawExits(SceneDepth& depth, const Inputs& inputs) {
+    const glm::ivec2 size = depth.first.size();
+    gl::Ledger& ledger = _context.ledger();
+    if (depth.exit.size() != size || depth.exit.id() == 0) {
+        depth.exit = gl::Texture(ledger, "scene exit map", GL_R32F, size);
+        depth.pyramid = gl::Texture(ledger, "scene depth pyramid", GL_RGBA32F, size, gl::Mipmaps::Full);
     }
-    glDisable(GL_DEPTH_TEST);
+    const gl::Texture buffer(ledger, "depth buffer", GL_DEPTH_COMPONENT32F, size);
+    const gl::Texture* const targets[] = {&depth.exit};
+    const gl::Framebuffer framebuffer("scene exit map", targets, &buffer);
+    framebuffer.bind();
+    framebuffer.clearColor(0, glm::vec4(0));
+    framebuffer.clearDepth(1);
+    depth.first.bind(First);
+    drawReceivers(_exit, size, inputs, true);
+    depth.bind();
+    depth.pyramid.bindImage(0, GL_WRITE_ONLY);
+    inputs.beams.frame.bindUniform(0);
+    _range.dispatch2D(size, groupSize);
+    _pyramid.reduce(depth.pyramid);
 }
 
 } // namespace limpid

@@ -5,6 +5,7 @@
 #include "gl/Context.h"
 #include "gl/Handles.h"
 #include "gl/Program.h"
+#include "levelmap/DepthPyramid.h"
 #include "levelmap/ReceiverGeometry.h"
 #include "water/Beams.h"
 
@@ -16,19 +17,36 @@ namespace limpid {
 glm::vec4 sceneDepthRect(const Light& light, const Water& water, std::span<const glm::dvec3> points,
                          const glm::dvec3& origin);
 
-/// What one light hits first. RG32F: metres of water along the mean light from where it enters the flat
-/// surface to the first receiver, 1e30 for none; the receiver's number. Row 0 is at the rectangle's corner.
+/// What one light hits first, seen along the mean light from where it enters the flat surface. Row 0 is at
+/// the rectangle's corner; depths are metres of water along the mean light.
+struct SceneDepth {
+    gl::Texture first;   ///< RG32F: depth of the first receiver, 1e30 for none; its number
+    gl::Texture exit;    ///< R32F: depth at which that receiver is left again, 0 if it is not closed
+    gl::Texture pyramid; ///< RGBA32F, all levels: least and greatest first depth, least depth of exit, 0
+
+    /// To the units that shaders/include/scene_depth.glsl and occlusion.glsl read.
+    void bind() const;
+};
+
 class SceneDepthPass {
   public:
     explicit SceneDepthPass(gl::Context& context);
 
-    /// `farthest`: an upper bound on metres of water to any receiver. `beams.frame` says light and rectangle.
-    void draw(gl::Texture& map, glm::ivec2 size, const Beams& beams,
-              std::span<const ReceiverGeometry> receivers, double farthest);
+    struct Inputs {
+        const Beams& beams; ///< its frame says light and rectangle
+        std::span<const ReceiverGeometry> receivers;
+        double farthest; ///< an upper bound on metres of water to any receiver
+    };
+    /// `first` alone: all that is needed where the mean light decides.
+    void drawFirst(SceneDepth& depth, glm::ivec2 size, const Inputs& inputs);
+    /// The others, for what goes by a beam's own direction.
+    void drawExits(SceneDepth& depth, const Inputs& inputs);
 
   private:
+    void drawReceivers(const gl::Program& program, glm::ivec2 size, const Inputs& inputs, bool closedOnly);
     gl::Context& _context;
-    gl::Program _program;
+    gl::Program _first, _exit, _range;
+    DepthPyramidPass _pyramid;
 };
 
 } // namespace limpid

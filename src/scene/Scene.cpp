@@ -6,6 +6,7 @@ namespace {
 constexpr std::pair<Method, std::string_view> methodNames[] = {
     {Method::LevelMap, "level-map"},
     {Method::LevelMapSmart, "level-map-smart"},
+    {Method::ExactBeam, "exact-beam"},
 };
 }
 

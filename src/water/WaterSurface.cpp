@@ -35,6 +35,7 @@ void WaterSurface::resize(glm::ivec2 grid) {
     if (grid == _grid) return;
     _grid = grid;
     const auto indices = gridTriangles(grid);
+    _mesh.quads = grid;
     _mesh.vertexCount = (grid.x + 1) * (grid.y + 1);
     _mesh.triangleCount = int(indices.size() / 3);
     const auto bytes = std::int64_t(_mesh.vertexCount) * std::int64_t(sizeof(glm::vec4));

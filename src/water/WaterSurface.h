@@ -17,6 +17,7 @@ struct WaterMesh {
     gl::Buffer positions;
     gl::Buffer normals;
     gl::Buffer indices;
+    glm::ivec2 quads{0}; ///< along x and z
     int vertexCount = 0;
     int triangleCount = 0;
 };

@@ -1,5 +1,6 @@
 #include "water/WaveTerms.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -77,6 +78,12 @@ double steepestSlope(const Wave& wave) {
 double highestWave(const Wave& wave) {
     if (wave.type == WaveType::HeightMap) return std::abs(wave.amplitude) * wave.heights->bounds().highest;
     return std::abs(wave.amplitude) * (wave.type == WaveType::Noise ? 2.1 : 1.0);
+}
+
+bool moves(const Water& water) {
+    return std::any_of(water.waves.begin(), water.waves.end(), [](const Wave& wave) {
+        return wave.speed != 0 || (wave.heights && wave.heights->frameCount() > 1);
+    });
 }
 
 double steepestSlope(const Water& water) {

@@ -24,6 +24,9 @@ std::vector<WaveTermData> waveTerms(const Water& water, const glm::dvec3& origin
 double steepestSlope(const Water& water);
 double steepestSlope(const Wave& wave);
 
+/// Whether the surface differs between two times.
+bool moves(const Water& water);
+
 /// A bound on how far the surface leaves its mean level, m.
 double highestWave(const Water& water);
 double highestWave(const Wave& wave);

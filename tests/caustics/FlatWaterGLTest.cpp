@@ -89,6 +89,7 @@ TEST_F(CausticMapGLTest, everyTexelOfTheTargetIsWritten) {
     scene.water.grid = {16, 16};
     scene.caustics.mapSize = 64;
     const Baked first = bake(engine, scene);
+    engine.setReuse(false);
     const glm::vec4 sentinel(-7);
     glClearTexImage(engine.maps()[0].caustics.irradiance.id(), 0, GL_RGBA, GL_FLOAT, &sentinel.x);
     glClearTexImage(engine.maps()[0].level.position.id(), 0, GL_RG, GL_FLOAT, &sentinel.x);

@@ -1,0 +1,204 @@
+// Exact beams: each texel that a beam touches takes the share of its flux that the texel's part of the beam holds, cut
+// at the texel's own tangent plane (physics.md, point 5: exact on flat faces, and free of 1/area at a focus).
+// One invocation for the two beams of a quad of the water's grid. In: footprints (footprints.comp), flux, tangent
+// planes, depth pyramid. Out: flux sums, one channel or three (COLOURED). PATHS: also what happens to light on its way:
+// extinction, what is before the receiver, what stands out of the water.
+#include "include/beam_area.glsl"
+#include "include/box.glsl"
+#include "include/depth_pyramid.glsl"
+#include "include/flux_sums.glsl"
+#ifdef PATHS
+#include "include/occlusion.glsl"
+#include "include/octahedral.glsl"
+#include "include/surface_shadow.glsl"
+layout(binding = 7) uniform sampler2D normalMap;      // RG16
+#endif
+#include "include/optics.glsl"
+layout(local_size_x = 64) in;
+layout(binding = 0) uniform sampler2D tangentPlanes;  // RGBA32F (tangent_planes.comp)
+layout(binding = 2) uniform sampler2D depthPyramid;   // RG32F, m
+layout(std430, binding = 5) readonly buffer BeamFlux { float flux[]; };
+layout(std430, binding = 6) readonly buffer Footprints { vec4 footprints[]; };
+layout(std430, binding = 7) readonly buffer OriginDepths { float originDepths[]; };
+layout(location = 0) uniform ivec2 quads;             // of the water's grid
+layout(location = 1) uniform float stepsPerFlux;      // of the sums
+layout(location = 2) uniform vec3 extinctionPerMetre;
+layout(location = 3) uniform float metresBefore;      // of water that every beam crosses at least; its loss is left out
+layout(location = 4) uniform int testOcclusion;       // 0: nothing can be before the receiver
+layout(location = 5) uniform int testSurfaceShadow;   // 0: nothing stands out of the water
+
+// The corners of a quad: p and q the ends of its diagonal, r and s beside it. Beams are r p q and q p s.
+struct Quad {
+    vec4 p, q, r, s; // footprints: texels at depth 0; texels a metre of depth
+    vec2 flux;
+#ifdef PATHS
+    vec4 starts;     // depth of the water's surface, m: p, q, r, s
+#endif
+};
+
+// False where no light goes on: both beams are dark, or a ray runs across the box.
+bool loadQuad(int index, out Quad quad) {
+    ivec2 at = ivec2(index % quads.x, index / quads.x);
+    int a = at.y * (quads.x + 1) + at.x, c = a + quads.x + 1;
+    // The diagonals alternate (water/WaterSurface.cpp).
+    bool even = ((at.x + at.y) & 1) == 0;
+    int p = even ? c : c + 1, q = even ? a + 1 : a, r = even ? a : c, s = even ? c + 1 : a + 1;
+    quad.flux = vec2(flux[2 * index], flux[2 * index + 1]);
+    quad.p = footprints[p], quad.q = footprints[q], quad.r = footprints[r], quad.s = footprints[s];
+#ifdef PATHS
+    quad.starts = vec4(originDepths[p], originDepths[q], originDepths[r], originDepths[s]);
+#endif
+    vec4 slopes = max(max(abs(quad.p), abs(quad.q)), max(abs(quad.r), abs(quad.s)));
+    return quad.flux.x + quad.flux.y > 0.0 && max(slopes.z, slopes.w) * boxExtent.w < 1e5;
+}
+
+const float thinnest = 1.0 / 256.0; // texels
+
+// The texels that the quad can touch: its footprint over the depths that it finds there, which is asked for again
+// until it settles. False if there are none.
+bool findTexels(Quad quad, out ivec2 low, out ivec2 high) {
+    vec2 depths = texelFetch(depthPyramid, ivec2(0), textureQueryLevels(depthPyramid) - 1).xy;
+    for (int i = 0; i < 4; ++i) {
+        vec2 p = quad.p.xy + depths.x * quad.p.zw, q = quad.q.xy + depths.x * quad.q.zw;
+        vec2 r = quad.r.xy + depths.x * quad.r.zw, s = quad.s.xy + depths.x * quad.s.zw;
+        vec2 least = min(min(p, q), min(r, s)), most = max(max(p, q), max(r, s));
+        float height = depths.y - depths.x;
+        p += height * quad.p.zw, q += height * quad.q.zw, r += height * quad.r.zw, s += height * quad.s.zw;
+        least = min(least, min(min(p, q), min(r, s))), most = max(most, max(max(p, q), max(r, s)));
+        low = ivec2(clamp(floor(least - thinnest), vec2(0.0), vec2(boxSize.xy)));
+        high = ivec2(clamp(floor(most + thinnest), vec2(-1.0), vec2(boxSize.xy - 1)));
+        if (any(greaterThan(low, high))) return false;
+        if (height <= 0.25 * boxExtent.w) return true;
+        vec2 found = depthRange(depthPyramid, low, high);
+        found = vec2(max(found.x, depths.x), min(found.y, depths.y));
+        if (found.x > found.y) return false;
+        if (found == depths) return true;
+        depths = found;
+    }
+    return true;
+}
+
+// The quad's corners on one plane, in texels from the corner of the texel.
+struct Cut {
+    vec2 p, q, r, s;
+    float upper, lower; // areas of r p q and q p s
+};
+
+// Light in focus: a beam thinner than 1/256 texel is widened to that, so that its share stays a ratio of numbers that
+// float tells apart. It moves light by no more than that and loses none.
+void widen(inout Cut cut) {
+    vec2 along = cut.q - cut.p;
+    float width = length(along);
+    vec2 unit = width > 1e-12 ? along / width : vec2(1.0, 0.0);
+    if (width < thinnest) cut.q = cut.p + thinnest * unit;
+    vec2 aside = vec2(-unit.y, unit.x);
+    float r = dot(aside, cut.r - cut.p), s = dot(aside, cut.s - cut.p);
+    if (abs(r) < thinnest) cut.r += aside * ((r < 0.0 ? -thinnest : thinnest) - r);
+    if (abs(s) < thinnest) cut.s += aside * ((s < 0.0 ? -thinnest : thinnest) - s);
+}
+
+void measure(inout Cut cut) {
+    float diagonal = edgeArea(cut.p, cut.q);
+    cut.upper = abs(edgeArea(cut.r, cut.p) + diagonal + edgeArea(cut.q, cut.r));
+    cut.lower = abs(edgeArea(cut.p, cut.s) + edgeArea(cut.s, cut.q) - diagonal);
+}
+
+// Flux of both beams that falls into the texel, as BeamFlux.
+float fluxInTexel(Quad quad, Cut cut) {
+    measure(cut);
+    float span = max(dot(cut.q - cut.p, cut.q - cut.p), thinnest * thinnest);
+    float least = min(cut.upper, cut.lower);
+    if (4.0 * least * least < thinnest * thinnest * span) {
+        widen(cut);
+        measure(cut);
+    }
+    float diagonal = edgeInSquare(cut.p, cut.q);
+    float upper = abs(edgeInSquare(cut.r, cut.p) + diagonal + edgeInSquare(cut.q, cut.r));
+    float lower = abs(edgeInSquare(cut.p, cut.s) + edgeInSquare(cut.s, cut.q) - diagonal);
+    return quad.flux.x * min(upper / cut.upper, 1.0) + quad.flux.y * min(lower / cut.lower, 1.0);
+}
+
+vec2 meet(vec4 corner, vec4 plane, vec2 texel) {
+    vec2 from = corner.xy - texel;
+    float depth = (plane.x + dot(plane.yz, from - 0.5)) / (1.0 - dot(plane.yz, corner.zw));
+    return from + depth * corner.zw;
+}
+
+#ifdef PATHS
+float cross2(vec2 a, vec2 b) { return a.x * b.y - a.y * b.x; }
+
+// Weights of the corners p, q, r, s at a place of the cut.
+vec4 weightsAt(Cut cut, vec2 place) {
+    vec2 along = cut.q - cut.p, to = place - cut.p;
+    bool upper = cross2(along, to) * cross2(along, cut.r - cut.p) > 0.0;
+    vec2 third = (upper ? cut.r : cut.s) - cut.p;
+    float area = cross2(along, third);
+    if (abs(area) < thinnest * thinnest) return vec4(0.25);
+    float t = clamp(cross2(along, to) / area, 0.0, 1.0), q = clamp(cross2(to, third) / area, 0.0, 1.0 - t);
+    return vec4(1.0 - t - q, q, upper ? t : 0.0, upper ? 0.0 : t);
+}
+
+// What is left of the light on its way to the texel, by channel.
+vec3 arriving(Quad quad, Cut cut, vec4 plane, ivec2 texel) {
+    // About the middle of the part of the beam that the texel holds.
+    vec2 part = 0.25 * (clamp(cut.p, 0.0, 1.0) + clamp(cut.q, 0.0, 1.0) + clamp(cut.r, 0.0, 1.0) + clamp(cut.s, 0.0, 1.0));
+    vec4 weights = weightsAt(cut, part);
+    vec2 slope = weights.x * quad.p.zw + weights.y * quad.q.zw + weights.z * quad.r.zw + weights.w * quad.s.zw;
+    float depth = plane.x + dot(plane.yz, part - 0.5), start = dot(weights, quad.starts);
+    vec2 at = vec2(texel) + part;
+    vec3 from = boxPoint(vec3((at - slope * (depth - start)) * boxExtent.w, start));
+    if (testOcclusion != 0) {
+        vec3 to = boxPoint(vec3(at * boxExtent.w, depth));
+        if ((boxSize.w & 7) != 0) to += besideFace(octahedralDecode(texelFetch(normalMap, texel, 0).xy));
+        float aside = distance(entryPoint(from).xz, entryPoint(to).xz);
+        if (aside >= plane.w && (aside < -plane.w || isTaken(from, to, length(plane.yz) / boxExtent.w))) return vec3(0.0);
+    }
+    float lit = testSurfaceShadow != 0 ? surfaceVisibility(from, 0.0) : 1.0;
+    float metres = (depth - start) * length(vec3(slope * boxExtent.w, 1.0));
+    return lit * extinction(extinctionPerMetre, metres - metresBefore);
+}
+#endif
+
+void touch(Quad quad, ivec2 texel) {
+    vec4 plane = texelFetch(tangentPlanes, texel, 0);
+    if (plane.x > 1e29) return;
+    vec2 corner = vec2(texel);
+    // Whether each corner's ray comes from the front: of -n·t the part that does not depend on how steep the face is.
+    vec4 front = 1.0 - vec4(dot(plane.yz, quad.p.zw), dot(plane.yz, quad.q.zw), dot(plane.yz, quad.r.zw), dot(plane.yz, quad.s.zw));
+    float cosine = 1.0;
+    if (min(min(front.x, front.y), min(front.z, front.w)) < 0.05) {
+        // Light along the face: cut across the box's axis and weighed by the cosine instead.
+        cosine = max(0.25 * dot(front, vec4(1.0)), 0.0);
+        plane.yz = vec2(0.0);
+    }
+    Cut cut = Cut(meet(quad.p, plane, corner), meet(quad.q, plane, corner), meet(quad.r, plane, corner), meet(quad.s, plane, corner), 0.0, 0.0);
+    float amount = fluxInTexel(quad, cut) * cosine * stepsPerFlux;
+    if (!(amount > 0.0)) return;
+    int index = texel.y * boxSize.x + texel.x;
+#ifdef PATHS
+    vec3 left = amount * arriving(quad, cut, plane, texel);
+#else
+    vec3 left = vec3(amount);
+#endif
+#ifdef COLOURED
+    addFlux(3 * index, left.r);
+    addFlux(3 * index + 1, left.g);
+    addFlux(3 * index + 2, left.b);
+#else
+    if (left.r > 0.0) addFlux(index, left.r);
+#endif
+}
+
+void main() {
+    int index = int(gl_GlobalInvocationID.y * gl_NumWorkGroups.x * gl_WorkGroupSize.x + gl_GlobalInvocationID.x);
+    if (index >= quads.x * quads.y) return;
+    Quad quad;
+    ivec2 low, high;
+    if (!loadQuad(index, quad) || !findTexels(quad, low, high)) return;
+    int width = high.x - low.x + 1, count = width * (high.y - low.y + 1);
+    ivec2 texel = low;
+    for (int i = 0; i < count; ++i) {
+        touch(quad, texel);
+        if (++texel.x > high.x) texel = ivec2(low.x, texel.y + 1);
+    }
+}

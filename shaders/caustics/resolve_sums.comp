@@ -1,0 +1,29 @@
+// From summed flux to irradiance; leaves the sums at zero for the next map.
+// In: flux sums, one or three channels; normal map RG16. Out, RGBA32F: W/m² on the receiver's own surface.
+#include "include/box.glsl"
+#include "include/flux_sums.glsl"
+#include "include/octahedral.glsl"
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(binding = 0) uniform sampler2D normalMap;
+layout(rgba32f, binding = 0) uniform writeonly image2D irradiance;
+layout(location = 0) uniform vec3 wattsPerStep; // over the area of a texel: W/m²
+layout(location = 1) uniform int channels;
+
+float takeSum(int index) {
+    float sum = float(sums[2 * index]) + 4294967296.0 * float(sums[2 * index + 1]);
+    if (sum > 0.0) sums[2 * index] = 0u, sums[2 * index + 1] = 0u;
+    return sum;
+}
+
+void main() {
+    ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(texel, boxSize.xy))) return;
+    int index = texel.y * boxSize.x + texel.x;
+    vec3 sum;
+    if (channels == 1) sum = vec3(takeSum(index));
+    else sum = vec3(takeSum(3 * index), takeSum(3 * index + 1), takeSum(3 * index + 2));
+    vec3 normal = octahedralDecode(texelFetch(normalMap, texel, 0).xy);
+    // As the bake has it: the normal's 16 bits cannot say less.
+    float facing = max(abs(dot(normal, boxT.xyz)), 4e-5);
+    imageStore(irradiance, texel, vec4(sum * wattsPerStep * facing, 1.0));
+}

@@ -1,0 +1,13 @@
+// Sums of flux in integers: the same bits whatever the order. 64 bits a texel and channel as two words, the upper one
+// touched only by a carry; in steps so small that rounding is lost in a float.
+layout(std430, binding = 8) buffer FluxSums { uint sums[]; };
+
+// Adds `amount` steps to sum `index`.
+void addFlux(int index, float amount) {
+    // A beam that a lens throws on one texel may alone be more than a word.
+    float upper = amount >= 4294967040.0 ? floor(amount * (1.0 / 4294967296.0)) : 0.0;
+    uint low = uint(amount - upper * 4294967296.0 + 0.5);
+    uint before = atomicAdd(sums[2 * index], low);
+    uint carry = uint(upper) + (before + low < before ? 1u : 0u);
+    if (carry > 0u) atomicAdd(sums[2 * index + 1], carry);
+}

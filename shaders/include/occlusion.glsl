@@ -1,0 +1,87 @@
+// Whether something takes a beam on its way, in the beam's own direction. Two depths are known along the mean light from
+// each place of the flat surface (scene_depth.glsl): where the first solid is entered and where it is left; a sheet
+// is left where it is entered. A beam is taken where it is between the two.
+//
+// Places are compared on the flat surface, where the mean light to them enters: of a beam that starts `aside` from the
+// place of the point X that it goes to, the part at depth (1 - f) D of X's depth D is f · aside away from it.
+#include "include/box.glsl"
+#include "include/scene_depth.glsl"
+layout(binding = 5) uniform sampler2D sceneExit;    // R32F, m, 0: a sheet, or nothing
+layout(binding = 6) uniform sampler2D scenePyramid; // RGBA32F (scene_depth_range.comp)
+
+// Depths within this much of a point are the surface that it lies on itself, m: `slope` is how depth grows sideways.
+float contact(float slope) { return sceneDepthTexel() * (3.0 + 2.0 * min(slope, 10.0)); }
+
+// Where to ask for a point of a face with this normal, from the point, m: a face of a further map runs along the light and
+// is its own edge in the scene depth map, so it is asked for beside it. BoxFrame is that of the point's map.
+vec3 besideFace(vec3 normal) { return (boxSize.w & 7) != 0 ? normal * (2.0 * sceneDepthTexel()) : vec3(0.0); }
+
+// Least entered, greatest entered, least left over a square of places.
+vec3 sceneRange(ivec2 low, ivec2 high) {
+    ivec2 size = textureSize(scenePyramid, 0);
+    if (any(lessThan(high, ivec2(0))) || any(greaterThanEqual(low, size))) return vec3(1e30);
+    ivec2 a = clamp(low, ivec2(0), size - 1), b = clamp(high, ivec2(0), size - 1), span = b - a;
+    int level = findMSB(max(span.x, span.y)) + 1;
+    ivec2 last = max(size >> level, 1) - 1; // as depth_pyramid.glsl has it
+    a = min(a >> level, last), b = min(b >> level, last);
+    vec3 p = texelFetch(scenePyramid, a, level).xyz, q = texelFetch(scenePyramid, b, level).xyz;
+    vec3 r = texelFetch(scenePyramid, ivec2(a.x, b.y), level).xyz, s = texelFetch(scenePyramid, ivec2(b.x, a.y), level).xyz;
+    // Beyond the map nothing lies: its greatest depth is none.
+    bool inside = all(greaterThanEqual(low, ivec2(0))) && all(lessThan(high, size));
+    return vec3(min(min(p.x, q.x), min(r.x, s.x)), inside ? max(max(p.y, q.y), max(r.y, s.y)) : 1e30,
+                min(min(p.z, q.z), min(r.z, s.z)));
+}
+
+// How far aside a beam to `point` may start and its fate still be certain, m: positive, and it arrives; negative, and it
+// does not; 0, and only following it can tell. `slope` as for contact().
+float certainAside(vec3 point, float slope) {
+    vec3 entry = entryPoint(point);
+    float depth = distance(point, entry), first = depth - contact(slope);
+    vec2 size = vec2(textureSize(sceneDepth, 0));
+    vec2 texel = sceneDepthRect.zw / size;
+    float width = min(texel.x, texel.y);
+    ivec2 at = ivec2(floor(sceneDepthUv(entry) * size));
+    int furthest = int(2.0 * max(size.x, size.y));
+    vec3 range = sceneRange(at - 2, at + 2);
+    if (range.x < first) {
+        // In the shade, as far as all that is around is inside of something at one depth.
+        float dark = 0.0;
+        for (int reach = 2; reach < furthest; reach *= 2) {
+            if (reach > 2) range = sceneRange(at - reach, at + reach);
+            if (range.y >= min(range.z, first)) break;
+            dark = (float(reach) - 1.5) * width;
+        }
+        return -dark;
+    }
+    float certain = 1e30;
+    for (int reach = 4; reach < furthest; reach *= 2) {
+        // What is nearer than half the reach was seen before.
+        float near = (float(reach / 2) - 1.5) * width;
+        if (certain <= near) break;
+        range = sceneRange(at - reach, at + reach);
+        if (range.x < first) certain = min(certain, near * depth / (depth - range.x));
+    }
+    return certain;
+}
+
+// Follows a beam from `start` at the surface to `point`, a texel of the map at a time.
+bool isTaken(vec3 start, vec3 point, float slope) {
+    vec3 entry = entryPoint(point);
+    float depth = distance(point, entry), first = depth - contact(slope);
+    vec2 size = vec2(textureSize(sceneDepth, 0));
+    vec2 from = sceneDepthUv(entryPoint(start)) * size, to = sceneDepthUv(entry) * size;
+    int steps = clamp(int(ceil(max(abs(to.x - from.x), abs(to.y - from.y)))), 1, 128);
+    float before = 0.0;
+    for (int i = 0; i < steps; ++i) {
+        // The stretch of the beam over one place: entered and left depth of the beam there.
+        float f = (float(i) + 0.5) / float(steps);
+        float after = min(depth * float(i + 1) / float(steps), first);
+        ivec2 place = ivec2(floor(mix(from, to, f)));
+        if (all(greaterThanEqual(place, ivec2(0))) && all(lessThan(place, ivec2(size)))) {
+            float entered = texelFetch(sceneDepth, place, 0).x, left = max(entered, texelFetch(sceneExit, place, 0).x);
+            if (after > entered && before <= left) return true;
+        }
+        before = after;
+    }
+    return false;
+}

@@ -1,0 +1,44 @@
+// What a beam is cut with at each texel: the receiver's own tangent plane there.
+// In: position map RG32F, normal map RG16 (level_map.frag).
+// Out 0, RGBA32F: depth of the surface at the texel's centre, m (1e30: no receiver); how that depth grows by a texel
+//        to the right and down, m; how far aside a beam to it may start and surely arrive (negative: surely not), m
+//        (occlusion.glsl).
+// Out 1, RG32F: least and greatest depth of the plane within the texel, m (1e30, -1e30: no receiver): the finest
+//        level of the depth pyramid.
+#include "include/box.glsl"
+#include "include/occlusion.glsl"
+#include "include/octahedral.glsl"
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(binding = 0) uniform sampler2D positionMap;
+layout(binding = 2) uniform sampler2D normalMap;
+layout(location = 0) uniform int testOcclusion; // 0: nothing else can be before it
+layout(rgba32f, binding = 0) uniform writeonly image2D tangentPlanes;
+layout(rg32f, binding = 1) uniform writeonly image2D depthRange;
+
+// A face steeper than this against the map has its light from its neighbours: a texel then spans 1000 of its widths.
+const float leastFacing = 1e-3;
+
+vec3 normalOf(ivec2 texel) { return octahedralDecode(texelFetch(normalMap, texel, 0).xy); }
+
+void main() {
+    ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(texel, boxSize.xy))) return;
+    vec2 position = texelFetch(positionMap, texel, 0).xy;
+    if (position.y == -1.0 || position.y == -3.0) {
+        imageStore(tangentPlanes, texel, vec4(1e30, 0.0, 0.0, 0.0));
+        imageStore(depthRange, texel, vec4(1e30, -1e30, 0.0, 0.0));
+        return;
+    }
+    vec3 normal = boxDirection(normalOf(texel));
+    vec2 rise = normal.xy * (boxExtent.w / max(-normal.z, leastFacing));
+    // What the normal's 16 bits cannot tell from none is none: floors across the light stay exactly so.
+    rise *= step(vec2(1e-4 * boxExtent.w), abs(rise));
+    float reach = min(0.5 * (abs(rise.x) + abs(rise.y)), boxExtent.z);
+    float aside = 1e30;
+    if (testOcclusion != 0) {
+        vec3 point = boxPoint(vec3((vec2(texel) + 0.5) * boxExtent.w, position.x));
+        aside = certainAside(point + besideFace(normalOf(texel)), length(rise) / boxExtent.w);
+    }
+    imageStore(tangentPlanes, texel, vec4(position.x, rise, aside));
+    imageStore(depthRange, texel, vec4(position.x - reach, position.x + reach, 0.0, 0.0));
+}

@@ -1,0 +1,39 @@
+#pragma once
+#include "caustics/BeamFootprints.h"
+#include "caustics/CausticMap.h"
+#include "gl/Program.h"
+#include "levelmap/LevelMap.h"
+#include "levelmap/TangentPlanes.h"
+#include "water/Beams.h"
+
+namespace limpid {
+
+/// Our own method: one compute pass over the beams, no planes. Each beam finds the depths that it meets in
+/// the level map, walks the texels that it can touch there, and gives each the flux of the part of the beam
+/// that the texel's tangent plane cuts out. Summed in integers: every run gives the same bits.
+class ExactBeams {
+  public:
+    explicit ExactBeams(gl::Context& context);
+
+    struct Inputs {
+        const LevelMap& map;
+        const TangentPlanes& planes;  ///< of `map`
+        const SceneDepth* sceneDepth; ///< of the light; null if nothing can be before the receiver
+        const Beams& beams;           ///< of the level map's light
+        const WaterMesh& surface;
+        const Water& water;
+        const Light& light;
+    };
+    /// Overwrites `caustics`.
+    void fill(CausticMap& caustics, const Inputs& inputs);
+
+  private:
+    void reserveSums(std::int64_t count);
+    void deposit(const Inputs& inputs, bool coloured, double stepsPerFlux);
+    gl::Context& _context;
+    BeamFootprints _footprints;
+    gl::Program _grey, _greyPaths, _colouredPaths, _resolve;
+    gl::Buffer _sums; ///< zero between maps
+};
+
+} // namespace limpid

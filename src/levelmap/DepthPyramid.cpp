@@ -1,0 +1,27 @@
+#include "levelmap/DepthPyramid.h"
+
+#include <vector>
+
+namespace limpid {
+
+namespace {
+constexpr glm::ivec2 groupSize{8, 8};
+} // namespace
+
+DepthPyramidPass::DepthPyramidPass(Content content) {
+    std::vector<std::string> defines;
+    if (content == Content::RangeAndExit) defines.emplace_back("EXITS");
+    _program = gl::Program({"levelmap/depth_pyramid.comp"}, defines);
+}
+
+void DepthPyramidPass::reduce(gl::Texture& pyramid) {
+    for (int level = 1; level < pyramid.levels(); ++level) {
+        glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+        pyramid.bindImage(0, GL_READ_ONLY, level - 1);
+        pyramid.bindImage(1, GL_WRITE_ONLY, level);
+        _program.dispatch2D(glm::max(pyramid.size() >> level, 1), groupSize);
+    }
+    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+}
+
+} // namespace limpid

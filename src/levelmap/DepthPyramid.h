@@ -1,0 +1,22 @@
+#pragma once
+#include "gl/Handles.h"
+#include "gl/Program.h"
+
+namespace limpid {
+
+/// Fills the coarser levels of a texture that holds depth ranges: least and greatest depth by blocks of
+/// texels, so that a beam learns from a few reads what depths it can meet.
+class DepthPyramidPass {
+  public:
+    /// RG32F: least, greatest; RGBA32F: the same, least depth of exit, 0.
+    enum class Content { Range, RangeAndExit };
+    explicit DepthPyramidPass(Content content);
+
+    /// Level 0 is there, written as an image; after it every level can be fetched.
+    void reduce(gl::Texture& pyramid);
+
+  private:
+    gl::Program _program;
+};
+
+} // namespace limpid

@@ -1,0 +1,114 @@
+#include <cmath>
+
+#include "caustics/CosineTruth.h"
+#include "engine/EngineFixture.h"
+
+namespace limpid {
+namespace {
+
+class ExactBeamsGLTest : public EngineGLTest {
+  protected:
+    static Scene floorPastSphere() {
+        Scene scene;
+        scene.receivers = {scenes::floorAt(-1.5, 3),
+                           scenes::shape("sphere", makeSphere(0.4, glm::vec3(0.8f)), {0, -1, 0})};
+        scene.lights = {scenes::sunAt(30)};
+        scene.water.grid = {128, 128};
+        scene.caustics.mapSize = 384;
+        scene.caustics.method = Method::ExactBeam;
+        return scene;
+    }
+};
+
+struct CosineError {
+    double nmae, fluxRatio;
+};
+
+/// Of exact beams on a floor of 512 texels a metre, against the texel means in double precision.
+CosineError cosineError(const Baked& baked) {
+    const auto truth = CosineTruth{}.texels(-0.5, 512, 512);
+    const MapData& map = baked.maps.at(0);
+    double error = 0, sum = 0, whole = 0;
+    for (int y = 0; y < 512; ++y)
+        for (int x = 0; x < 512; ++x) {
+            const double value = map.irradiance[3 * (std::size_t(y) * 512 + std::size_t(x))];
+            error += std::abs(value - truth[std::size_t(x)]);
+            sum += value;
+            whole += truth[std::size_t(x)];
+        }
+    return {error / whole, sum / whole};
+}
+
+TEST_F(ExactBeamsGLTest, convergesToOneCosineWave) {
+    // The bars of the method: a finer grid must bring the map to the truth, which no centre-sampled map does.
+    const struct {
+        int grid;
+        double nmae;
+    } bars[] = {{256, 0.015}, {512, 0.0035}, {1024, 0.001}};
+    for (const auto& bar : bars) {
+        Scene scene;
+        scene.receivers = {scenes::floorAt(-1, 1)};
+        scene.lights = {scenes::sunAt(0)};
+        scene.water.waves = {scenes::cosine(0.004, 0.2, {1, 0})};
+        scene.water.center = glm::dvec2(0);
+        scene.water.size = glm::dvec2(1.09);
+        scene.water.grid = glm::ivec2(bar.grid);
+        scene.caustics.mapSize = 512;
+        scene.caustics.method = Method::ExactBeam;
+        const Baked baked = bake(scene);
+        ASSERT_EQ(baked.maps.at(0).size, glm::ivec2(512));
+        const CosineError error = cosineError(baked);
+        printf("%d quads: nMAE %.3f %%, flux ratio %.5f\n", bar.grid, 100 * error.nmae, error.fluxRatio);
+        EXPECT_LE(error.nmae, bar.nmae) << bar.grid;
+        EXPECT_NEAR(error.fluxRatio, 1, 0.001) << bar.grid;
+    }
+}
+
+TEST_F(ExactBeamsGLTest, everyRunGivesTheSameBits) {
+    Scene scene = floorPastSphere();
+    scene.water.waves = {scenes::cosine(0.01, 0.3, {1, 0.4}), scenes::noise(0.01, 0.5)};
+    const Baked a = bake(scene), b = bake(scene);
+    ASSERT_EQ(a.maps.size(), 2u);
+    for (std::size_t i = 0; i < a.maps.size(); ++i)
+        EXPECT_EQ(a.maps[i].irradiance, b.maps[i].irradiance);
+}
+
+TEST_F(ExactBeamsGLTest, lightBalancesUnderWaves) {
+    Scene scene = floorPastSphere();
+    scene.water.waves = {scenes::cosine(0.01, 0.3, {1, 0.4}), scenes::noise(0.01, 0.5)};
+    const FluxBalance flux = bake(scene, true).flux.at(0);
+    printf("residual %.3f %%, rejected %.3f %%\n", 100 * flux.residual() / flux.entering,
+           100 * flux.rejected / flux.entering);
+    EXPECT_LT(std::abs(flux.residual()), 0.002 * flux.entering);
+    EXPECT_LT(std::abs(flux.rejected), 0.002 * flux.entering);
+}
+
+TEST_F(ExactBeamsGLTest, restingWaterCostsNothing) {
+    Engine engine(context());
+    Scene scene = floorPastSphere();
+    scene.water.waves = {scenes::cosine(0.01, 0.3, {1, 0.4})};
+    engine.setScene(scene);
+    engine.updateCaustics(0);
+    const auto first = readMaps(engine.maps()[0], engine.origin()).irradiance;
+    engine.timers().collect();
+    engine.updateCaustics(1); // the wave stands still
+    EXPECT_TRUE(engine.timers().collect().empty());
+
+    scene.water.waves[0].speed = 0.5;
+    engine.setScene(scene);
+    engine.updateCaustics(0);
+    engine.timers().collect();
+    engine.updateCaustics(1);
+    for (const auto& [pass, milliseconds] : engine.timers().collect())
+        EXPECT_TRUE(pass == "water" || pass == "beams" || pass == "caustic map") << pass;
+    EXPECT_NE(readMaps(engine.maps()[0], engine.origin()).irradiance, first);
+
+    // All work done anew gives what reuse gave.
+    const auto reused = readMaps(engine.maps()[0], engine.origin()).irradiance;
+    engine.setSkipping(false);
+    engine.updateCaustics(1);
+    EXPECT_EQ(readMaps(engine.maps()[0], engine.origin()).irradiance, reused);
+}
+
+} // namespace
+} // namespace limpid
