@@ -25,6 +25,7 @@ layout(location = 1) uniform float stepsPerFlux;      // of the sums
 layout(location = 2) uniform vec3 extinctionPerMetre;
 layout(location = 3) uniform float metresBefore;      // of water that every beam crosses at least; its loss is left out
 layout(location = 4) uniform int testOcclusion;       // 0: nothing can be before the receiver
+layout(location = 6) uniform int receiverNumber;
 layout(location = 5) uniform int testSurfaceShadow;   // 0: nothing stands out of the water
 
 // The corners of a quad: p and q the ends of its diagonal, r and s beside it. Beams are r p q and q p s.
@@ -151,7 +152,7 @@ vec3 arriving(Quad quad, Cut cut, vec4 plane, ivec2 texel) {
         vec3 to = boxPoint(vec3(at * boxExtent.w, depth));
         if ((boxSize.w & 7) != 0) to += besideFace(octahedralDecode(texelFetch(normalMap, texel, 0).xy));
         float aside = distance(entryPoint(from).xz, entryPoint(to).xz);
-        if (aside >= plane.w && (aside < -plane.w || isTaken(from, to, length(plane.yz) / boxExtent.w))) return vec3(0.0);
+        if (aside >= plane.w && (aside < -plane.w || isTaken(from, to, length(plane.yz) / boxExtent.w, receiverNumber))) return vec3(0.0);
     }
     float lit = testSurfaceShadow != 0 ? surfaceVisibility(from, 0.0) : 1.0;
     float metres = (depth - start) * length(vec3(slope * boxExtent.w, 1.0));

@@ -20,6 +20,7 @@ layout(location = 3) uniform int receiverNumber;
 layout(location = 4) uniform vec3 strength;
 layout(location = 5) uniform vec3 absorption;
 layout(location = 6) uniform vec3 scattering;
+layout(location = 7) uniform int meanShade; // 1: the method takes no light where the mean light is shaded
 
 const float counted = -4.0;
 const float shaded = -3.0;
@@ -33,11 +34,11 @@ float placedShare(vec3 point) {
         ivec2 texel = center + ivec2(i % 3 - 1, i / 3 - 1);
         if (any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(texel, boxSize.xy))) continue;
         vec2 position = texelFetch(positionMap, texel, 0).xy;
-        if (position.y == -1.0) continue;
+        if (position.y == -1.0 || position.y == -3.0) continue;
         float facing = abs(dot(octahedralDecode(texelFetch(normalMap, texel, 0).xy), boxT.xyz));
         float slack = boxExtent.w * (4.0 + 2.0 / max(facing, 0.05));
         if (abs(position.x - q.z) > slack) continue;
-        float lit = texelFetch(diffuseMap, texel, 0).a;
+        float lit = meanShade != 0 ? texelFetch(diffuseMap, texel, 0).a : 1.0;
         if (texel == center) return lit;
         share = max(share, lit);
     }
@@ -60,7 +61,7 @@ void main() {
         float share = last ? 0.0 : placedShare(landing.xyz);
         if (share < 0.0) continue;
         landings[ray].w = counted;
-        if (landing.w == -1.0) {
+        if (landing.w == -1.0 || landing.w == -5.0) {
             sum.x += dot(perRay, vec3(1.0 / 3.0));
             continue;
         }

@@ -6,7 +6,6 @@
 // place of the point X that it goes to, the part at depth (1 - f) D of X's depth D is f · aside away from it.
 #include "include/box.glsl"
 #include "include/scene_depth.glsl"
-layout(binding = 5) uniform sampler2D sceneExit;    // R32F, m, 0: a sheet, or nothing
 layout(binding = 6) uniform sampler2D scenePyramid; // RGBA32F (scene_depth_range.comp)
 
 // Depths within this much of a point are the surface that it lies on itself, m: `slope` is how depth grows sideways.
@@ -64,10 +63,12 @@ float certainAside(vec3 point, float slope) {
     return certain;
 }
 
-// Follows a beam from `start` at the surface to `point`, a texel of the map at a time.
-bool isTaken(vec3 start, vec3 point, float slope) {
+// Follows a beam from `start` at the surface to `point` of a receiver, a texel of the map at a time.
+bool isTaken(vec3 start, vec3 point, float slope, int receiverNumber) {
     vec3 entry = entryPoint(point);
-    float depth = distance(point, entry), first = depth - contact(slope);
+    float depth = distance(point, entry);
+    // Where another receiver touches this one, its own surface is no excuse.
+    float beforeItself = depth - contact(slope), beforeOthers = depth - 0.5 * sceneDepthTexel();
     vec2 size = vec2(textureSize(sceneDepth, 0));
     vec2 from = sceneDepthUv(entryPoint(start)) * size, to = sceneDepthUv(entry) * size;
     int steps = clamp(int(ceil(max(abs(to.x - from.x), abs(to.y - from.y)))), 1, 128);
@@ -75,11 +76,13 @@ bool isTaken(vec3 start, vec3 point, float slope) {
     for (int i = 0; i < steps; ++i) {
         // The stretch of the beam over one place: entered and left depth of the beam there.
         float f = (float(i) + 0.5) / float(steps);
-        float after = min(depth * float(i + 1) / float(steps), first);
+        float after = depth * float(i + 1) / float(steps);
         ivec2 place = ivec2(floor(mix(from, to, f)));
         if (all(greaterThanEqual(place, ivec2(0))) && all(lessThan(place, ivec2(size)))) {
-            float entered = texelFetch(sceneDepth, place, 0).x, left = max(entered, texelFetch(sceneExit, place, 0).x);
-            if (after > entered && before <= left) return true;
+            vec3 solid = texelFetch(scenePyramid, place, 0).xyz;
+            bool itself = int(texelFetch(sceneDepth, place, 0).y) == receiverNumber;
+            float reached = min(after, itself ? beforeItself : beforeOthers);
+            if (reached > solid.x && before <= solid.z) return true;
         }
         before = after;
     }

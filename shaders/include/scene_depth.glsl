@@ -1,6 +1,7 @@
 // Who the mean light hits first: the scene depth map of a light.
 // RG32F over the rectangle of the flat surface where the light enters: metres of water from there to the first
-// receiver along the mean light (1e30: none), and that receiver's number.
+// receiver along the mean light (1e30: none), and that receiver's number, and a half if
+// its face is met from behind.
 #include "include/light.glsl"
 layout(binding = 1) uniform sampler2D sceneDepth;
 

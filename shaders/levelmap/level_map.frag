@@ -1,6 +1,6 @@
 // Position, diffuse and normal map of a receiver in one pass (thesis 4.2.2, MRT as in figure 5-6).
 // Out 0, RG32F: depth along the light from the box's near face, m; index of the reference plane, or -2 where the
-//        mean light is taken by something before it (cleared to 0, -1: no receiver).
+//        mean light is taken by something before it and -3 where it is the inside of a solid (cleared to 0, -1: no receiver).
 // Out 1, SRGB8_ALPHA8: base colour; alpha: the share of the mean light that reaches the texel.
 // Out 2, RG16: geometric normal facing the box's top, octahedral.
 #include "include/facing.glsl"
@@ -38,8 +38,9 @@ void main() {
     if ((boxSize.w & 7) != 0) asked += normal * 2.0 * sceneDepthTexel();
     float lit = testOcclusion != 0 ? texelVisibility(asked, normal) : 1.0;
     // The inside of a solid, seen where the surface cuts it open: no light is in there.
-    if ((boxSize.w & 16) != 0 && dot(fragmentIn.faceNormal, boxT.xyz) > 0.0) lit = 0.0;
-    int plane = lit > 0.0 ? planeIndex(depth, boxExtent.z, boxSize.z) : -2;
+    bool within = (boxSize.w & 16) != 0 && dot(fragmentIn.faceNormal, boxT.xyz) > 0.0;
+    if (within) lit = 0.0;
+    int plane = lit > 0.0 ? planeIndex(depth, boxExtent.z, boxSize.z) : within ? -3 : -2;
     outPosition = vec2(depth, float(plane));
     outDiffuse = vec4(baseColor().rgb, lit);
     outNormal = octahedralEncode(normal);

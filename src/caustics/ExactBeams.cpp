@@ -7,7 +7,15 @@ namespace limpid {
 
 namespace {
 
-enum Uniform { Quads, StepsPerFlux, ExtinctionPerMetre, MetresBefore, TestOcclusion, TestSurfaceShadow };
+enum Uniform {
+    Quads,
+    StepsPerFlux,
+    ExtinctionPerMetre,
+    MetresBefore,
+    TestOcclusion,
+    TestSurfaceShadow,
+    ReceiverNumber
+};
 enum ResolveUniform { WattsPerStep, Channels };
 constexpr int groupSize = 64;
 constexpr glm::ivec2 resolveGroupSize{8, 8};
@@ -65,6 +73,7 @@ void ExactBeams::deposit(const Inputs& inputs, bool coloured, double stepsPerFlu
         deposit.set(ExtinctionPerMetre, glm::vec3(extinction));
         deposit.set(MetresBefore, 0.0f);
         deposit.set(TestOcclusion, inputs.sceneDepth ? 1 : 0);
+        deposit.set(ReceiverNumber, inputs.receiverNumber);
         deposit.set(TestSurfaceShadow, inputs.beams.surfaceShadow ? 1 : 0);
         inputs.beams.frame.bindUniform(0);
         inputs.map.normal.bind(7);

@@ -17,6 +17,7 @@ class ExactBeams {
 
     struct Inputs {
         const LevelMap& map;
+        int receiverNumber;           ///< as in the scene depth map
         const TangentPlanes& planes;  ///< of `map`
         const SceneDepth* sceneDepth; ///< of the light; null if nothing can be before the receiver
         const Beams& beams;           ///< of the level map's light

@@ -1,6 +1,7 @@
 #include "caustics/FluxAudit.h"
 
 #include <algorithm>
+#include <array>
 
 namespace limpid {
 
@@ -9,9 +10,17 @@ namespace {
 constexpr int groupSize = 64;
 constexpr int raysPerBeam = 16;    // as in shaders/include/triangle.glsl
 constexpr int beamsAtOnce = 65536; // bounds the landings to 16 MiB
-enum LandUniform { RayCount, LandFirstTriangle, Farthest = 3, MetReceiver };
+enum LandUniform { RayCount, LandFirstTriangle, Farthest = 3, MetReceiver, EdgesOnly };
 constexpr int unplaced = -1; // for the rays that no map has taken
-enum PlaceUniform { BeamCount, PlaceFirstTriangle, ReceiverNumber = 3, Strength, Absorption, Scattering };
+enum PlaceUniform {
+    BeamCount,
+    PlaceFirstTriangle,
+    ReceiverNumber = 3,
+    Strength,
+    Absorption,
+    Scattering,
+    MeanShade
+};
 
 void bindMap(const LevelMap& map) {
     map.box.bindUniform(1);
@@ -27,8 +36,9 @@ double meanOf(const glm::dvec3& rgb) {
 } // namespace
 
 FluxAudit::FluxAudit(gl::Context& context)
-    : _context(context), _land({"caustics/landings.comp"}), _meet({"caustics/landings_facing.comp"}),
-      _place({"caustics/place.comp"}) {}
+    : _context(context), _land({"caustics/landings.comp"}),
+      _landOwn({"caustics/landings.comp"}, std::array<std::string, 1>{"OWN_DIRECTION"}),
+      _meet({"caustics/landings_facing.comp"}), _place({"caustics/place.comp"}) {}
 
 void FluxAudit::follow(const gl::Program& program, int firstTriangle, int beamCount, double farthest) {
     program.set(RayCount, beamCount * raysPerBeam);
@@ -47,7 +57,8 @@ void FluxAudit::place(int firstTriangle, int beamCount, int receiverNumber) {
 }
 
 FluxBalance FluxAudit::count(const Beams& beams, const WaterMesh& surface, const Water& water,
-                             const gl::Texture& sceneDepth, std::span<const Placed> maps, double farthest) {
+                             const SceneDepth& sceneDepth, std::span<const Placed> maps, double farthest,
+                             Shade shade) {
     FluxBalance balance;
     const auto flux = beams.flux.read<float>(std::size_t(beams.triangleCount));
     const auto lit = beams.lit.read<float>(std::size_t(beams.triangleCount));
@@ -60,6 +71,8 @@ FluxBalance FluxAudit::count(const Beams& beams, const WaterMesh& surface, const
     const gl::Buffer landings(ledger, "flux audit", std::int64_t(atOnce) * raysPerBeam * 16);
     gl::Buffer counts(ledger, "flux audit", std::int64_t(beams.triangleCount) * 16);
     counts.clearToZero();
+    const bool own = shade == Shade::Own;
+    _place.set(MeanShade, own ? 0 : 1);
     _place.set(Strength, glm::vec3(beams.strength));
     _place.set(Absorption, glm::vec3(water.absorption));
     _place.set(Scattering, glm::vec3(water.scattering));
@@ -73,10 +86,12 @@ FluxBalance FluxAudit::count(const Beams& beams, const WaterMesh& surface, const
     counts.bindStorage(7);
     for (int first = 0; first < beams.triangleCount; first += atOnce) {
         const int beamCount = std::min(atOnce, beams.triangleCount - first);
-        sceneDepth.bind(1);
-        follow(_land, first, beamCount, farthest);
+        sceneDepth.bind();
+        follow(own ? _landOwn : _land, first, beamCount, farthest);
         for (const Placed& placed : maps) {
-            if (placed.map->facing == 0) continue;
+            const bool further = placed.map->facing > 0;
+            if (!own && !further) continue;
+            _meet.set(EdgesOnly, further ? 0 : 1);
             bindMap(*placed.map);
             _meet.set(MetReceiver, placed.receiver);
             follow(_meet, first, beamCount, farthest);

@@ -4,6 +4,7 @@
 #include "gl/Context.h"
 #include "gl/Program.h"
 #include "levelmap/LevelMap.h"
+#include "levelmap/SceneDepthMap.h"
 #include "water/Beams.h"
 
 namespace limpid {
@@ -31,16 +32,19 @@ class FluxAudit {
         int receiver;
         const LevelMap* map;
     };
+    /// What a method shades by: the mean light, or each beam's own direction.
+    enum class Shade { Mean, Own };
     /// All but `deposited`. `sceneDepth` covers every receiver; `maps` are all those of this light.
     /// `farthest` as for SceneDepthPass. Waits for the GPU.
     FluxBalance count(const Beams& beams, const WaterMesh& surface, const Water& water,
-                      const gl::Texture& sceneDepth, std::span<const Placed> maps, double farthest);
+                      const SceneDepth& sceneDepth, std::span<const Placed> maps, double farthest,
+                      Shade shade);
 
   private:
     void follow(const gl::Program& program, int firstTriangle, int beamCount, double farthest);
     void place(int firstTriangle, int beamCount, int receiverNumber);
     gl::Context& _context;
-    gl::Program _land, _meet, _place;
+    gl::Program _land, _landOwn, _meet, _place;
 };
 
 /// Σ irradiance · surface area of the texel, W, mean of R, G and B. `irradiance`: RGB, `normalDotAxis`: |n·V|

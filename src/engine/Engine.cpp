@@ -178,7 +178,7 @@ void Engine::drawSceneDepth(int index) {
     const SceneDepthPass::Inputs inputs{state.beams, _receivers, state.farthest};
     _sceneDepthPass.drawFirst(state.sceneDepth, sceneDepthSize(state.beams.rect, _scene.caustics.mapSize),
                               inputs);
-    if (_scene.caustics.method == Method::ExactBeam) _sceneDepthPass.drawExits(state.sceneDepth, inputs);
+    if (_scene.caustics.method == Method::ExactBeam) _sceneDepthPass.drawSolids(state.sceneDepth, inputs);
 }
 
 void Engine::updateLevelMap(ReceiverMaps& maps) {
@@ -217,7 +217,7 @@ void Engine::fill(ReceiverMaps& maps) {
         break;
     case Method::ExactBeam:
         _exactBeams.fill(maps.caustics,
-                         {maps.level, maps.tangents,
+                         {maps.level, maps.receiver, maps.tangents,
                           state.sceneDepth.first.id() ? &state.sceneDepth : nullptr, state.beams,
                           _surface.mesh(), _scene.water, _scene.lights[std::size_t(maps.light)]});
         break;
@@ -231,8 +231,9 @@ FluxBalance Engine::auditFlux(int index) {
     for (const ReceiverMaps& maps : _maps)
         if (maps.light == index) levels.push_back({maps.receiver, &maps.level});
     Scope scope(_timers, "flux audit");
-    return _fluxAudit.count(state.beams, _surface.mesh(), _scene.water, state.sceneDepth.first, levels,
-                            state.farthest);
+    return _fluxAudit.count(
+        state.beams, _surface.mesh(), _scene.water, state.sceneDepth, levels, state.farthest,
+        _scene.caustics.method == Method::ExactBeam ? FluxAudit::Shade::Own : FluxAudit::Shade::Mean);
 }
 
 Picture Engine::render(double time, glm::ivec2 size) {

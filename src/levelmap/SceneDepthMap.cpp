@@ -6,7 +6,7 @@ namespace limpid {
 
 namespace {
 enum Uniform { ReceiverNumber = 1, Farthest = 2, MapSize = 3 };
-enum Unit : GLuint { First = 1, Exit = 5, Pyramid = 6 };
+enum Unit : GLuint { First = 1, Solid = 5, Pyramid = 6 };
 constexpr glm::ivec2 groupSize{8, 8};
 } // namespace
 
@@ -24,7 +24,6 @@ glm::vec4 sceneDepthRect(const Light& light, const Water& water, std::span<const
 
 void SceneDepth::bind() const {
     first.bind(First);
-    if (exit.id()) exit.bind(Exit);
     if (pyramid.id()) pyramid.bind(Pyramid);
 }
 
@@ -60,22 +59,22 @@ void SceneDepthPass::drawFirst(SceneDepth& depth, glm::ivec2 size, const Inputs&
     drawReceivers(_first, size, inputs, false);
 }
 
-void SceneDepthPass::drawExits(SceneDepth& depth, const Inputs& inputs) {
+void SceneDepthPass::drawSolids(SceneDepth& depth, const Inputs& inputs) {
     const glm::ivec2 size = depth.first.size();
     gl::Ledger& ledger = _context.ledger();
-    if (depth.exit.size() != size || depth.exit.id() == 0) {
-        depth.exit = gl::Texture(ledger, "scene exit map", GL_R32F, size);
+    if (depth.pyramid.size() != size || depth.pyramid.id() == 0)
         depth.pyramid = gl::Texture(ledger, "scene depth pyramid", GL_RGBA32F, size, gl::Mipmaps::Full);
-    }
+    const gl::Texture solid(ledger, "scene depth pyramid", GL_RG32F, size);
     const gl::Texture buffer(ledger, "depth buffer", GL_DEPTH_COMPONENT32F, size);
-    const gl::Texture* const targets[] = {&depth.exit};
-    const gl::Framebuffer framebuffer("scene exit map", targets, &buffer);
+    const gl::Texture* const targets[] = {&solid};
+    const gl::Framebuffer framebuffer("scene solids", targets, &buffer);
     framebuffer.bind();
     framebuffer.clearColor(0, glm::vec4(0));
     framebuffer.clearDepth(1);
     depth.first.bind(First);
     drawReceivers(_exit, size, inputs, true);
     depth.bind();
+    solid.bind(Solid);
     depth.pyramid.bindImage(0, GL_WRITE_ONLY);
     inputs.beams.frame.bindUniform(0);
     _range.dispatch2D(size, groupSize);

@@ -20,9 +20,12 @@ glm::vec4 sceneDepthRect(const Light& light, const Water& water, std::span<const
 /// What one light hits first, seen along the mean light from where it enters the flat surface. Row 0 is at
 /// the rectangle's corner; depths are metres of water along the mean light.
 struct SceneDepth {
-    gl::Texture first;   ///< RG32F: depth of the first receiver, 1e30 for none; its number
-    gl::Texture exit;    ///< R32F: depth at which that receiver is left again, 0 if it is not closed
-    gl::Texture pyramid; ///< RGBA32F, all levels: least and greatest first depth, least depth of exit, 0
+    /// RG32F: depth of the first receiver, 1e30 for none; its number, and a half if its face is met from
+    /// behind.
+    gl::Texture first;
+    /// RGBA32F, all levels: least and greatest depth at which what is first is entered, least depth at which
+    /// it is left again, 0. A receiver that is not closed is left where it is entered.
+    gl::Texture pyramid;
 
     /// To the units that shaders/include/scene_depth.glsl and occlusion.glsl read.
     void bind() const;
@@ -39,8 +42,8 @@ class SceneDepthPass {
     };
     /// `first` alone: all that is needed where the mean light decides.
     void drawFirst(SceneDepth& depth, glm::ivec2 size, const Inputs& inputs);
-    /// The others, for what goes by a beam's own direction.
-    void drawExits(SceneDepth& depth, const Inputs& inputs);
+    /// The pyramid, for what goes by a beam's own direction.
+    void drawSolids(SceneDepth& depth, const Inputs& inputs);
 
   private:
     void drawReceivers(const gl::Program& program, glm::ivec2 size, const Inputs& inputs, bool closedOnly);

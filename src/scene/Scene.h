@@ -88,7 +88,7 @@ enum class Method { LevelMap, LevelMapSmart, ExactBeam };
 enum class Slicing { Automatic, Levels };
 
 struct CausticsSettings {
-    Method method = Method::LevelMapSmart;
+    Method method = Method::ExactBeam;
     int mapSize = 512; ///< texels on the longer side of the box, [1, 16384]
     int planes = 50;   ///< reference planes of the whole box before slicing drops any, [1, 4096]
     Slicing slicing = Slicing::Automatic;

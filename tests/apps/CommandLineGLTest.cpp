@@ -71,7 +71,7 @@ TEST_F(CommandLineGLTest, bakeWritesTheContract) {
     const Result result = run("bake " + models("sphere.glb") + " -o " + path("maps") + quick);
     ASSERT_EQ(result.code, 0) << result.out;
     const auto index = nlohmann::json::parse(std::ifstream(path("maps/index.json")));
-    EXPECT_EQ(index["method"], "level-map-smart");
+    EXPECT_EQ(index["method"], "exact-beam");
     EXPECT_EQ(index["lights"][0]["light"], "sun");
     EXPECT_EQ(index["lights"][0]["beams"], 2 * 32 * 32);
     const auto& flux = index["lights"][0]["flux"];

@@ -49,10 +49,9 @@ TEST_F(FluxBalanceGLTest, underWaves) {
     Scene scene = floorPastSphere();
     scene.water.waves = {scenes::cosine(0.01, 0.3, {1, 0.4}), scenes::noise(0.01, 0.5)};
     const FluxBalance flux = bake(scene, true).flux.at(0);
-    // The drawn method samples at texel centres, and shades by the mean light: a few percent are its own.
-    RecordProperty("residual_ppm", int(1e6 * flux.residual() / flux.entering));
     printf("residual under waves: %.3f %% of entering\n", 100 * flux.residual() / flux.entering);
-    EXPECT_LT(share(flux), 0.03);
+    EXPECT_LT(share(flux), 0.002);
+    EXPECT_LT(std::abs(flux.rejected), 0.002 * flux.entering);
 }
 
 TEST_F(FluxBalanceGLTest, aLampNearTheWater) {

@@ -16,6 +16,7 @@ class LevelMapGLTest : public EngineGLTest {
         scene.water.grid = {16, 16};
         scene.caustics.mapSize = 256;
         scene.caustics.planes = planes;
+        scene.caustics.method = Method::LevelMapSmart;
         return scene;
     }
 };
