@@ -55,28 +55,91 @@ bool loadQuad(int index, out Quad quad) {
 
 const float thinnest = 1.0 / 256.0; // texels
 
-// The texels that the quad can touch: its footprint over the depths that it finds there, which is asked for again
-// until it settles. False if there are none.
-bool findTexels(Quad quad, out ivec2 low, out ivec2 high) {
+// Light that makes less than this of -n·t, by the part that does not depend on how steep the face is, runs along it.
+const float grazing = 0.02;
+
+// Where a corner's ray is at depth 0 and how it moves, with depths counted from a plane that leans as the receiver does:
+// of a flat receiver all are alike. False where the ray does not come through that plane from the front.
+bool lean(inout vec4 corner) {
+    vec2 gradient = boxShear.xy * boxExtent.w;
+    float front = 1.0 - dot(gradient, corner.zw);
+    if (front < grazing) return false;
+    corner.zw /= front;
+    corner.xy += corner.zw * dot(gradient, corner.xy);
+    return true;
+}
+
+// Whether the corner's ray may meet some face of the map from the front.
+bool mayMeet(vec4 corner) {
+    vec2 slope = corner.zw * boxExtent.w;
+    vec2 least = min(boxGradients.xy * slope, boxGradients.zw * slope);
+    return least.x + least.y < 1.0;
+}
+
+// Texels whose centres lie at depths from `from` to below `to` are touched by the part of the beam between `low` and
+// `high`.
+struct Slab {
+    float from, to;
+    ivec2 low, high;
+};
+const float everywhere = 1e29;
+
+// The footprint of four rays between two depths, in texels of the map; false if it lies outside.
+bool footprintBetween(vec4 a, vec4 b, vec4 c, vec4 d, vec2 depths, out ivec2 low, out ivec2 high) {
+    vec2 p = a.xy + depths.x * a.zw, q = b.xy + depths.x * b.zw;
+    vec2 r = c.xy + depths.x * c.zw, s = d.xy + depths.x * d.zw;
+    vec2 least = min(min(p, q), min(r, s)), most = max(max(p, q), max(r, s));
+    float height = depths.y - depths.x;
+    p += height * a.zw, q += height * b.zw, r += height * c.zw, s += height * d.zw;
+    least = min(least, min(min(p, q), min(r, s))), most = max(most, max(max(p, q), max(r, s)));
+    low = ivec2(clamp(floor(least - thinnest), vec2(0.0), vec2(boxSize.xy)));
+    high = ivec2(clamp(floor(most + thinnest), vec2(-1.0), vec2(boxSize.xy - 1)));
+    return all(lessThanEqual(low, high));
+}
+
+// The footprint over the depths that the quad finds there, asked for again until it settles.
+bool settle(Quad quad, vec4 a, vec4 b, vec4 c, vec4 d, out Slab slab) {
+    slab.from = -everywhere, slab.to = everywhere;
     vec2 depths = texelFetch(depthPyramid, ivec2(0), textureQueryLevels(depthPyramid) - 1).xy;
     for (int i = 0; i < 4; ++i) {
-        vec2 p = quad.p.xy + depths.x * quad.p.zw, q = quad.q.xy + depths.x * quad.q.zw;
-        vec2 r = quad.r.xy + depths.x * quad.r.zw, s = quad.s.xy + depths.x * quad.s.zw;
-        vec2 least = min(min(p, q), min(r, s)), most = max(max(p, q), max(r, s));
-        float height = depths.y - depths.x;
-        p += height * quad.p.zw, q += height * quad.q.zw, r += height * quad.r.zw, s += height * quad.s.zw;
-        least = min(least, min(min(p, q), min(r, s))), most = max(most, max(max(p, q), max(r, s)));
-        low = ivec2(clamp(floor(least - thinnest), vec2(0.0), vec2(boxSize.xy)));
-        high = ivec2(clamp(floor(most + thinnest), vec2(-1.0), vec2(boxSize.xy - 1)));
-        if (any(greaterThan(low, high))) return false;
-        if (height <= 0.25 * boxExtent.w) return true;
-        vec2 found = depthRange(depthPyramid, low, high);
+        if (!footprintBetween(a, b, c, d, depths, slab.low, slab.high)) return false;
+        if (depths.y - depths.x <= 0.25 * boxExtent.w) return true;
+        vec2 found = depthRange(depthPyramid, slab.low, slab.high);
         found = vec2(max(found.x, depths.x), min(found.y, depths.y));
         if (found.x > found.y) return false;
         if (found == depths) return true;
         depths = found;
     }
     return true;
+}
+
+// Light along the receiver may meet it anywhere: its way through the box is cut into so many slabs of depth that
+// each has few texels.
+int slabsAlong(Quad quad) {
+    vec2 slope = max(max(abs(quad.p.zw), abs(quad.q.zw)), max(abs(quad.r.zw), abs(quad.s.zw)));
+    return clamp(int(max(slope.x, slope.y) * boxExtent.z / 6.0), 1, 256);
+}
+
+// Least and greatest depth of the beam between two depths, less what the receiver leans: its distance from a flat one.
+vec2 distanceBetween(Quad quad, vec2 depths) {
+    vec2 gradient = boxShear.xy * boxExtent.w;
+    vec4 at = vec4(dot(gradient, quad.p.xy), dot(gradient, quad.q.xy), dot(gradient, quad.r.xy), dot(gradient, quad.s.xy));
+    vec4 front = 1.0 - vec4(dot(gradient, quad.p.zw), dot(gradient, quad.q.zw), dot(gradient, quad.r.zw), dot(gradient, quad.s.zw));
+    vec4 u = depths.x * front - at, v = depths.y * front - at;
+    vec4 least = min(u, v), most = max(u, v);
+    return vec2(min(min(least.x, least.y), min(least.z, least.w)), max(max(most.x, most.y), max(most.z, most.w)));
+}
+
+bool slabAlong(Quad quad, int index, int count, out Slab slab) {
+    slab.from = index == 0 ? -everywhere : boxExtent.z * float(index) / float(count);
+    slab.to = index == count - 1 ? everywhere : boxExtent.z * float(index + 1) / float(count);
+    // A texel's plane reaches beyond the depth of its centre.
+    vec2 steepest = min(max(abs(boxGradients.xy), abs(boxGradients.zw)), vec2(8.0));
+    float reach = 0.5 * (steepest.x + steepest.y) * boxExtent.w;
+    vec2 depths = boxExtent.z * vec2(float(index), float(index + 1)) / float(count) + vec2(-reach, reach);
+    if (!footprintBetween(quad.p, quad.q, quad.r, quad.s, depths, slab.low, slab.high)) return false;
+    vec2 surface = depthRange(depthPyramid, slab.low, slab.high), beam = distanceBetween(quad, depths);
+    return beam.x <= surface.y && beam.y >= surface.x;
 }
 
 // The quad's corners on one plane, in texels from the corner of the texel.
@@ -160,14 +223,14 @@ vec3 arriving(Quad quad, Cut cut, vec4 plane, ivec2 texel) {
 }
 #endif
 
-void touch(Quad quad, ivec2 texel) {
+void touch(Quad quad, Slab slab, ivec2 texel) {
     vec4 plane = texelFetch(tangentPlanes, texel, 0);
-    if (plane.x > 1e29) return;
+    if (plane.x < slab.from || plane.x >= slab.to) return;
     vec2 corner = vec2(texel);
     // Whether each corner's ray comes from the front: of -n·t the part that does not depend on how steep the face is.
     vec4 front = 1.0 - vec4(dot(plane.yz, quad.p.zw), dot(plane.yz, quad.q.zw), dot(plane.yz, quad.r.zw), dot(plane.yz, quad.s.zw));
     float cosine = 1.0;
-    if (min(min(front.x, front.y), min(front.z, front.w)) < 0.05) {
+    if (min(min(front.x, front.y), min(front.z, front.w)) < grazing) {
         // Light along the face: cut across the box's axis and weighed by the cosine instead.
         cosine = max(0.25 * dot(front, vec4(1.0)), 0.0);
         plane.yz = vec2(0.0);
@@ -190,16 +253,31 @@ void touch(Quad quad, ivec2 texel) {
 #endif
 }
 
+void walk(Quad quad, Slab slab) {
+    int count = (slab.high.x - slab.low.x + 1) * (slab.high.y - slab.low.y + 1);
+    ivec2 texel = slab.low;
+    for (int i = 0; i < count; ++i) {
+        touch(quad, slab, texel);
+        if (++texel.x > slab.high.x) texel = ivec2(slab.low.x, texel.y + 1);
+    }
+}
+
 void main() {
     int index = int(gl_GlobalInvocationID.y * gl_NumWorkGroups.x * gl_WorkGroupSize.x + gl_GlobalInvocationID.x);
     if (index >= quads.x * quads.y) return;
     Quad quad;
-    ivec2 low, high;
-    if (!loadQuad(index, quad) || !findTexels(quad, low, high)) return;
-    int width = high.x - low.x + 1, count = width * (high.y - low.y + 1);
-    ivec2 texel = low;
-    for (int i = 0; i < count; ++i) {
-        touch(quad, texel);
-        if (++texel.x > high.x) texel = ivec2(low.x, texel.y + 1);
+    if (!loadQuad(index, quad)) return;
+    if (!(mayMeet(quad.p) || mayMeet(quad.q) || mayMeet(quad.r) || mayMeet(quad.s))) return;
+    vec4 a = quad.p, b = quad.q, c = quad.r, d = quad.s;
+    Slab slab;
+    if (lean(a) && lean(b) && lean(c) && lean(d)) {
+        if (settle(quad, a, b, c, d, slab)) walk(quad, slab);
+        return;
     }
+    vec2 surface = texelFetch(depthPyramid, ivec2(0), textureQueryLevels(depthPyramid) - 1).xy;
+    vec2 beam = distanceBetween(quad, vec2(-0.1, 1.1) * boxExtent.z);
+    if (beam.x > surface.y || beam.y < surface.x) return;
+    int slabs = slabsAlong(quad);
+    for (int i = 0; i < slabs; ++i)
+        if (slabAlong(quad, i, slabs, slab)) walk(quad, slab);
 }

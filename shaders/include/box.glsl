@@ -8,6 +8,8 @@ layout(std140, binding = 1) uniform BoxFrame {
     ivec4 boxSize; // texels along u, w; reference planes asked for; this map's facing, + 8 for a mesh that is
                     // not closed, + 16 for one that is and that the water's surface cuts open
     vec4 facingLight;   // mean light, unit; w: faces whose normal is within this sine of being across it are steep
+    vec4 boxShear;      // how depth grows along u and w on the whole, m/m: the lean of the receiver in its box
+    vec4 boxGradients;  // least along u, w and greatest along u, w of any face's depth, m/m
     vec4 facingAxes[4]; // unit, across the mean light; w: 1 where there is a further map
 };
 

@@ -3,7 +3,7 @@
 // Out 0, RGBA32F: depth of the surface at the texel's centre, m (1e30: no receiver); how that depth grows by a texel
 //        to the right and down, m; how far aside a beam to it may start and surely arrive (negative: surely not), m
 //        (occlusion.glsl).
-// Out 1, RG32F: least and greatest depth of the plane within the texel, m (1e30, -1e30: no receiver): the finest
+// Out 1, RG32F: least and greatest depth of the plane within the texel, less what the receiver leans (boxShear), m (1e30, -1e30: no receiver): the finest
 //        level of the depth pyramid.
 #include "include/box.glsl"
 #include "include/occlusion.glsl"
@@ -33,12 +33,14 @@ void main() {
     vec2 rise = normal.xy * (boxExtent.w / max(-normal.z, leastFacing));
     // What the normal's 16 bits cannot tell from none is none: floors across the light stay exactly so.
     rise *= step(vec2(1e-4 * boxExtent.w), abs(rise));
-    float reach = min(0.5 * (abs(rise.x) + abs(rise.y)), boxExtent.z);
+    vec2 lean = boxShear.xy * boxExtent.w, beside = abs(rise - lean);
+    float reach = min(0.5 * (beside.x + beside.y), boxExtent.z);
+    float upright = position.x - dot(lean, vec2(texel) + 0.5);
     float aside = 1e30;
     if (testOcclusion != 0) {
         vec3 point = boxPoint(vec3((vec2(texel) + 0.5) * boxExtent.w, position.x));
         aside = certainAside(point + besideFace(normalOf(texel)), length(rise) / boxExtent.w);
     }
     imageStore(tangentPlanes, texel, vec4(position.x, rise, aside));
-    imageStore(depthRange, texel, vec4(position.x - reach, position.x + reach, 0.0, 0.0));
+    imageStore(depthRange, texel, vec4(upright - reach, upright + reach, 0.0, 0.0));
 }

@@ -106,6 +106,8 @@ void Engine::addMaps(int light, int receiver) {
         maps.box = facing > 0 ? tightBox(facings->points[std::size_t(facing - 1)],
                                          facings->viewDirection(facing - 1))
                               : tightBox(points, direction);
+        maps.gradients = depthGradients(_scene.receivers[std::size_t(receiver)], maps.box, *facings, facing,
+                                        _scene.water.level);
     }
 }
 
@@ -190,8 +192,12 @@ void Engine::updateLevelMap(ReceiverMaps& maps) {
         // Alone and seen along the light, a receiver has nothing before it but itself.
         const bool alone = maps.level.facing == 0 && _receivers.size() == 1 &&
                            _scene.lights[std::size_t(maps.light)].type == LightType::Directional;
-        const LevelMapPass::Inputs inputs{_receivers[std::size_t(maps.receiver)], maps.receiver, state.beams,
-                                          sceneDepth && !alone ? &sceneDepth->first : nullptr, *maps.facings};
+        const LevelMapPass::Inputs inputs{_receivers[std::size_t(maps.receiver)],
+                                          maps.receiver,
+                                          state.beams,
+                                          sceneDepth && !alone ? &sceneDepth->first : nullptr,
+                                          *maps.facings,
+                                          maps.gradients};
         _levelMapPass.draw(maps.level, inputs, maps.box, settings.mapSize, settings.planes, _origin);
     }
     if (settings.method != Method::ExactBeam) return;

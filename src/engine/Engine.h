@@ -36,6 +36,7 @@ struct ReceiverMaps {
     int light = 0;
     std::shared_ptr<const Facings> facings; ///< of this receiver and light
     OrientedBox box;                        ///< in the world
+    DepthGradients gradients;
     LevelMap level;
     TangentPlanes tangents; ///< for exact beams only
     CausticMap caustics;

@@ -4,6 +4,7 @@
 
 #include <glm/glm.hpp>
 
+#include "core/OrientedBox.h"
 #include "scene/Scene.h"
 
 namespace limpid {
@@ -30,6 +31,18 @@ struct Facings {
     /// The way map k is seen: unit.
     glm::dvec3 viewDirection(int k) const { return glm::normalize(light - axes[std::size_t(k)]); }
 };
+
+/// How depth grows along a box's u and w on the faces that a map in it may hold, m/m. A plane has one
+/// gradient; taken off, its depths are all the same, however it leans.
+struct DepthGradients {
+    glm::dvec2 mean{0}; ///< weighed by the area that is seen
+    glm::dvec2 least{0}, most{0};
+};
+
+/// Of the faces of the receiver that belong to map `facing` (0: along the light) and lie below `level`
+/// somewhere.
+DepthGradients depthGradients(const Receiver& receiver, const OrientedBox& box, const Facings& facings,
+                              int facing, double level);
 
 /// `light`: the mean light at the receiver; `level`: faces wholly above it do not count; `closed`: whether
 /// the receiver is a solid (isSolid).

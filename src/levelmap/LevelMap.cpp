@@ -17,11 +17,12 @@ struct BoxFrameData {
     glm::vec4 corner, u, w, t, extent;
     glm::ivec4 size;
     glm::vec4 facingLight;
+    glm::vec4 shear, gradients;
     std::array<glm::vec4, 4> facingAxes;
 };
 
 gl::Buffer boxFrame(gl::Ledger& ledger, const TexelFrame& frame, int planes, const Facings& facings,
-                    int facing, const glm::dvec3& origin) {
+                    const DepthGradients& gradients, int facing, const glm::dvec3& origin) {
     const OrientedBox& b = frame.box;
     BoxFrameData data{
         glm::vec4(b.corner - origin, 0),
@@ -31,6 +32,8 @@ gl::Buffer boxFrame(gl::Ledger& ledger, const TexelFrame& frame, int planes, con
         glm::vec4(b.extent, frame.texel),
         {frame.size.x, frame.size.y, planes, facing + (facings.sheet ? 8 : 0) + (facings.hollow ? 16 : 0)},
         glm::vec4(facings.light, Facings::steep),
+        glm::vec4(gradients.mean, 0, 0),
+        glm::vec4(gradients.least, gradients.most),
         {}};
     for (std::size_t k = 0; k < 4; ++k)
         data.facingAxes[k] = glm::vec4(facings.axes[k], facings.used[k] ? 1 : 0);
@@ -57,7 +60,8 @@ void LevelMapPass::draw(LevelMap& map, const Inputs& inputs, const OrientedBox& 
     const int count = map.frame.flat ? 1 : planes;
     map.requestedPlanes = planes;
     map.planes = uniformPlanes(map.frame.box.extent.z, count);
-    map.box = boxFrame(_context.ledger(), map.frame, count, inputs.facings, map.facing, origin);
+    map.box =
+        boxFrame(_context.ledger(), map.frame, count, inputs.facings, inputs.gradients, map.facing, origin);
     resize(map, map.frame.size);
 
     const gl::Texture depth(_context.ledger(), "depth buffer", GL_DEPTH_COMPONENT32F, map.frame.size);

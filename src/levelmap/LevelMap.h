@@ -18,7 +18,8 @@ namespace limpid {
 struct LevelMap {
     TexelFrame frame;     ///< in the world
     gl::Buffer box;       ///< BoxFrame of shaders/include/box.glsl, m from the scene's origin
-    gl::Texture position; ///< RG32F: depth along the light, m; plane index, -1 no receiver, -2 in shadow, -3 inside of a solid
+    gl::Texture position; ///< RG32F: depth along the light, m; plane index, -1 no receiver, -2 in shadow, -3
+                          ///< inside of a solid
     gl::Texture diffuse;  ///< SRGB8_ALPHA8: base colour; share of the mean light that arrives
     gl::Texture normal;   ///< RG16: geometric normal facing the box's top, octahedral
     int facing = 0; ///< 0 the map along the light; k the further map that sees axis k - 1 of the facings
@@ -37,6 +38,7 @@ class LevelMapPass {
         const Beams& beams;            ///< for the mean light
         const gl::Texture* sceneDepth; ///< null: nothing else can be before the receiver
         const Facings& facings;
+        const DepthGradients& gradients; ///< of the faces that the map holds
     };
 
     /// `box` (in the world) runs along the mean light, or along the view of a further map; `mapSize` texels
