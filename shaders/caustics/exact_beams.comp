@@ -2,7 +2,8 @@
 // at the texel's own tangent plane (physics.md, point 5: exact on flat faces, and free of 1/area at a focus).
 // One invocation for the two beams of a quad of the water's grid. In: footprints (footprints.comp), flux, tangent
 // planes, depth pyramid. Out: flux sums, one channel or three (COLOURED). PATHS: also what happens to light on its way:
-// extinction, what is before the receiver, what stands out of the water.
+// extinction, what is before the receiver, what stands out of the water. LARGE: the tiles of the quads that touch many
+// texels, which the pass over all quads left.
 #include "include/beam_area.glsl"
 #include "include/box.glsl"
 #include "include/depth_pyramid.glsl"
@@ -253,8 +254,32 @@ void touch(Quad quad, Slab slab, ivec2 texel) {
 #endif
 }
 
-void walk(Quad quad, Slab slab) {
+// A quad that touches more texels than this is left to many invocations: one alone would hold up all others.
+const int most = 256;
+const int tileSide = 16;
+const int settled = -1;
+// Its tiles: quad, slab (or `settled`), place of the tile's first texel.
+layout(std430, binding = 9) buffer LargeBeams {
+    int tileCount; // asked for; those beyond the buffer's end are not in it
+    int padding[3];
+    ivec4 tiles[];
+};
+
+// False where the buffer is full.
+bool leaveToMany(int quad, int number, Slab slab) {
+    ivec2 count = (slab.high - slab.low) / tileSide + 1;
+    int first = atomicAdd(tileCount, count.x * count.y), end = first + count.x * count.y;
+    bool fits = end <= tiles.length();
+    for (int i = first; i < min(end, tiles.length()); ++i) {
+        ivec2 tile = slab.low + tileSide * ivec2((i - first) % count.x, (i - first) / count.x);
+        tiles[i] = ivec4(fits ? quad : -1, number, tile);
+    }
+    return fits;
+}
+
+void walk(Quad quad, Slab slab, int index, int number) {
     int count = (slab.high.x - slab.low.x + 1) * (slab.high.y - slab.low.y + 1);
+    if (count > most && leaveToMany(index, number, slab)) return;
     ivec2 texel = slab.low;
     for (int i = 0; i < count; ++i) {
         touch(quad, slab, texel);
@@ -262,6 +287,29 @@ void walk(Quad quad, Slab slab) {
     }
 }
 
+#ifdef LARGE
+// One work group a tile.
+void main() {
+    int count = min(tileCount, tiles.length());
+    for (int item = int(gl_WorkGroupID.x); item < count; item += int(gl_NumWorkGroups.x)) {
+        ivec4 tile = tiles[item];
+        Quad quad;
+        if (tile.x < 0 || !loadQuad(tile.x, quad)) continue;
+        vec4 a = quad.p, b = quad.q, c = quad.r, d = quad.s;
+        Slab slab;
+        if (tile.y == settled) {
+            lean(a), lean(b), lean(c), lean(d);
+            settle(quad, a, b, c, d, slab);
+        } else {
+            slabAlong(quad, tile.y, slabsAlong(quad), slab);
+        }
+        for (int i = int(gl_LocalInvocationIndex); i < tileSide * tileSide; i += int(gl_WorkGroupSize.x)) {
+            ivec2 texel = tile.zw + ivec2(i % tileSide, i / tileSide);
+            if (all(lessThanEqual(texel, slab.high))) touch(quad, slab, texel);
+        }
+    }
+}
+#else
 void main() {
     int index = int(gl_GlobalInvocationID.y * gl_NumWorkGroups.x * gl_WorkGroupSize.x + gl_GlobalInvocationID.x);
     if (index >= quads.x * quads.y) return;
@@ -271,7 +319,7 @@ void main() {
     vec4 a = quad.p, b = quad.q, c = quad.r, d = quad.s;
     Slab slab;
     if (lean(a) && lean(b) && lean(c) && lean(d)) {
-        if (settle(quad, a, b, c, d, slab)) walk(quad, slab);
+        if (settle(quad, a, b, c, d, slab)) walk(quad, slab, index, settled);
         return;
     }
     vec2 surface = texelFetch(depthPyramid, ivec2(0), textureQueryLevels(depthPyramid) - 1).xy;
@@ -279,5 +327,6 @@ void main() {
     if (beam.x > surface.y || beam.y < surface.x) return;
     int slabs = slabsAlong(quad);
     for (int i = 0; i < slabs; ++i)
-        if (slabAlong(quad, i, slabs, slab)) walk(quad, slab);
+        if (slabAlong(quad, i, slabs, slab)) walk(quad, slab, index, i);
 }
+#endif

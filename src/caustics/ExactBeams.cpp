@@ -2,6 +2,8 @@
 
 #include <array>
 #include <cmath>
+#include <string>
+#include <vector>
 
 namespace limpid {
 
@@ -24,10 +26,9 @@ constexpr glm::ivec2 resolveGroupSize{8, 8};
 /// holds a thousandfold focus.
 constexpr double stepsPerTexel = 1 << 22;
 
-gl::Program program(std::initializer_list<std::string> defines) {
-    const std::vector<std::string> list(defines);
-    return gl::Program({"caustics/exact_beams.comp"}, list);
-}
+/// Tiles of large beams that wait for their pass: 1 MiB of them. Beyond, beams are walked where they are.
+constexpr std::int64_t mostTiles = 65536;
+constexpr int largeGroups = 512;
 
 bool isGrey(const glm::dvec3& v) {
     return v.x == v.y && v.y == v.z;
@@ -45,8 +46,19 @@ double unfocusedFlux(const LevelMap& map, const Light& light) {
 } // namespace
 
 ExactBeams::ExactBeams(gl::Context& context)
-    : _context(context), _footprints(context), _grey(program({})), _greyPaths(program({"PATHS"})),
-      _colouredPaths(program({"PATHS", "COLOURED"})), _resolve({"caustics/resolve_sums.comp"}) {}
+    : _context(context), _footprints(context), _resolve({"caustics/resolve_sums.comp"}) {}
+
+const gl::Program& ExactBeams::program(const Variant& variant) {
+    std::optional<gl::Program>& program =
+        _programs[std::size_t(variant.paths) + 2 * std::size_t(variant.coloured) +
+                  4 * std::size_t(variant.large)];
+    if (program) return *program;
+    std::vector<std::string> defines;
+    if (variant.paths) defines.emplace_back("PATHS");
+    if (variant.coloured) defines.emplace_back("COLOURED");
+    if (variant.large) defines.emplace_back("LARGE");
+    return program.emplace(std::initializer_list<const char*>{"caustics/exact_beams.comp"}, defines);
+}
 
 void ExactBeams::reserveSums(std::int64_t count) {
     const std::int64_t bytes = 8 * count;
@@ -59,7 +71,9 @@ void ExactBeams::deposit(const Inputs& inputs, bool coloured, double stepsPerFlu
     const glm::dvec3 extinction = inputs.water.absorption + inputs.water.scattering;
     const bool paths = extinction != glm::dvec3(0) || inputs.sceneDepth || inputs.beams.surfaceShadow;
     _footprints.updateRays(inputs.beams, inputs.surface, inputs.map);
-    const gl::Program& deposit = coloured ? _colouredPaths : paths ? _greyPaths : _grey;
+    if (!_largeBeams.id()) _largeBeams = gl::Buffer(_context.ledger(), "large beams", 16 * (mostTiles + 1));
+    constexpr std::int32_t none[4] = {};
+    _largeBeams.write(0, sizeof(none), none);
     inputs.map.box.bindUniform(1);
     inputs.planes.planes.bind(0);
     inputs.planes.depthPyramid.bind(2);
@@ -67,21 +81,26 @@ void ExactBeams::deposit(const Inputs& inputs, bool coloured, double stepsPerFlu
     _footprints.rays().bindStorage(6);
     _footprints.originDepths().bindStorage(7);
     _sums.bindStorage(8);
-    deposit.set(Quads, inputs.surface.quads);
-    deposit.set(StepsPerFlux, float(stepsPerFlux));
-    if (paths) {
-        deposit.set(ExtinctionPerMetre, glm::vec3(extinction));
-        deposit.set(MetresBefore, 0.0f);
-        deposit.set(TestOcclusion, inputs.sceneDepth ? 1 : 0);
-        deposit.set(ReceiverNumber, inputs.receiverNumber);
-        deposit.set(TestSurfaceShadow, inputs.beams.surfaceShadow ? 1 : 0);
-        inputs.beams.frame.bindUniform(0);
-        inputs.map.normal.bind(7);
-        if (inputs.sceneDepth) inputs.sceneDepth->bind();
-        if (inputs.beams.surfaceShadow) inputs.beams.surfaceShadow->bind(surfaceShadowUnit);
+    _largeBeams.bindStorage(9);
+    inputs.beams.frame.bindUniform(0);
+    inputs.map.normal.bind(7);
+    if (inputs.sceneDepth) inputs.sceneDepth->bind();
+    if (inputs.beams.surfaceShadow) inputs.beams.surfaceShadow->bind(surfaceShadowUnit);
+    for (const bool large : {false, true}) {
+        const gl::Program& deposit = program({paths, coloured, large});
+        deposit.set(Quads, inputs.surface.quads);
+        deposit.set(StepsPerFlux, float(stepsPerFlux));
+        if (paths) {
+            deposit.set(ExtinctionPerMetre, glm::vec3(extinction));
+            deposit.set(MetresBefore, 0.0f);
+            deposit.set(TestOcclusion, inputs.sceneDepth ? 1 : 0);
+            deposit.set(ReceiverNumber, inputs.receiverNumber);
+            deposit.set(TestSurfaceShadow, inputs.beams.surfaceShadow ? 1 : 0);
+        }
+        const std::int64_t quads = std::int64_t(inputs.surface.quads.x) * inputs.surface.quads.y;
+        deposit.dispatch(large ? largeGroups * groupSize : quads, groupSize);
+        glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     }
-    deposit.dispatch(std::int64_t(inputs.surface.quads.x) * inputs.surface.quads.y, groupSize);
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
 void ExactBeams::fill(CausticMap& caustics, const Inputs& inputs) {

@@ -1,4 +1,7 @@
 #pragma once
+#include <array>
+#include <optional>
+
 #include "caustics/BeamFootprints.h"
 #include "caustics/CausticMap.h"
 #include "gl/Program.h"
@@ -33,8 +36,15 @@ class ExactBeams {
     void deposit(const Inputs& inputs, bool coloured, double stepsPerFlux);
     gl::Context& _context;
     BeamFootprints _footprints;
-    gl::Program _grey, _greyPaths, _colouredPaths, _resolve;
-    gl::Buffer _sums; ///< zero between maps
+    /// What a dispatch of exact_beams.comp is compiled for.
+    struct Variant {
+        bool paths, coloured, large;
+    };
+    const gl::Program& program(const Variant& variant);
+    std::array<std::optional<gl::Program>, 8> _programs; ///< compiled when first needed
+    gl::Program _resolve;
+    gl::Buffer _sums;       ///< zero between maps
+    gl::Buffer _largeBeams; ///< as exact_beams.comp has it
 };
 
 } // namespace limpid

@@ -73,6 +73,30 @@ TEST_F(ExactBeamsGLTest, everyRunGivesTheSameBits) {
         EXPECT_EQ(a.maps[i].irradiance, b.maps[i].irradiance);
 }
 
+TEST_F(ExactBeamsGLTest, aFewLargeBeamsLightAsManySmall) {
+    // Flat water, so that nothing but the way of depositing differs: 18 beams of tens of thousands of texels
+    // are shared out among many invocations, 73,728 small ones are not.
+    for (const bool sphere : {false, true}) {
+        Scene scene = floorPastSphere();
+        if (!sphere) scene.receivers.pop_back();
+        scene.water.absorption = {0.4, 0.2, 0.1};
+        scene.water.center = glm::dvec2(0);
+        scene.water.size = glm::dvec2(6);
+        scene.water.grid = {3, 3};
+        const MapData few = bake(scene).maps.at(0);
+        scene.water.grid = {192, 192};
+        const MapData many = bake(scene).maps.at(0);
+        double error = 0, sum = 0;
+        for (std::size_t i = 0; i < few.irradiance.size(); ++i) {
+            error += std::abs(double(few.irradiance[i]) - double(many.irradiance[i]));
+            sum += many.irradiance[i];
+        }
+        // At the edge of shade a texel's part of a large beam is lit or not as one; small beams share it.
+        EXPECT_LT(error / sum, sphere ? 0.002 : 1e-4) << sphere;
+        EXPECT_GT(sum, 0);
+    }
+}
+
 TEST_F(ExactBeamsGLTest, lightBalancesUnderWaves) {
     Scene scene = floorPastSphere();
     scene.water.waves = {scenes::cosine(0.01, 0.3, {1, 0.4}), scenes::noise(0.01, 0.5)};
