@@ -115,10 +115,12 @@ bool settle(Quad quad, vec4 a, vec4 b, vec4 c, vec4 d, out Slab slab) {
 }
 
 // Light along the receiver may meet it anywhere: its way through the box is cut into so many slabs of depth that
-// each has few texels.
+// each has few texels. A power of two, so that whole runs of them can be passed over.
 int slabsAlong(Quad quad) {
     vec2 slope = max(max(abs(quad.p.zw), abs(quad.q.zw)), max(abs(quad.r.zw), abs(quad.s.zw)));
-    return clamp(int(max(slope.x, slope.y) * boxExtent.z / 6.0), 1, 256);
+    vec2 across = max(abs(quad.q.xy - quad.p.xy), abs(quad.r.xy - quad.s.xy));
+    float step = max(max(across.x, across.y), 6.0);
+    return 1 << clamp(findMSB(int(max(slope.x, slope.y) * boxExtent.z / step)) + 1, 0, 8);
 }
 
 // Least and greatest depth of the beam between two depths, less what the receiver leans: its distance from a flat one.
@@ -131,16 +133,19 @@ vec2 distanceBetween(Quad quad, vec2 depths) {
     return vec2(min(min(least.x, least.y), min(least.z, least.w)), max(max(most.x, most.y), max(most.z, most.w)));
 }
 
-bool slabAlong(Quad quad, int index, int count, out Slab slab) {
+// `run` slabs from `index` of `count`; false if the beam meets nothing there.
+bool slabAlong(Quad quad, int index, int run, int count, out Slab slab) {
     slab.from = index == 0 ? -everywhere : boxExtent.z * float(index) / float(count);
-    slab.to = index == count - 1 ? everywhere : boxExtent.z * float(index + 1) / float(count);
+    slab.to = index + run == count ? everywhere : boxExtent.z * float(index + run) / float(count);
     // A texel's plane reaches beyond the depth of its centre.
     vec2 steepest = min(max(abs(boxGradients.xy), abs(boxGradients.zw)), vec2(8.0));
     float reach = 0.5 * (steepest.x + steepest.y) * boxExtent.w;
-    vec2 depths = boxExtent.z * vec2(float(index), float(index + 1)) / float(count) + vec2(-reach, reach);
+    vec2 depths = boxExtent.z * vec2(float(index), float(index + run)) / float(count) + vec2(-reach, reach);
     if (!footprintBetween(quad.p, quad.q, quad.r, quad.s, depths, slab.low, slab.high)) return false;
     vec2 surface = depthRange(depthPyramid, slab.low, slab.high), beam = distanceBetween(quad, depths);
-    return beam.x <= surface.y && beam.y >= surface.x;
+    // Where a texel is cut across the box's axis, the beam is within half of it of the surface.
+    float margin = 0.5 * (abs(boxShear.x) + abs(boxShear.y)) * boxExtent.w;
+    return beam.x - margin <= surface.y && beam.y + margin >= surface.x;
 }
 
 // The quad's corners on one plane, in texels from the corner of the texel.
@@ -301,7 +306,7 @@ void main() {
             lean(a), lean(b), lean(c), lean(d);
             settle(quad, a, b, c, d, slab);
         } else {
-            slabAlong(quad, tile.y, slabsAlong(quad), slab);
+            slabAlong(quad, tile.y, 1, slabsAlong(quad), slab);
         }
         for (int i = int(gl_LocalInvocationIndex); i < tileSide * tileSide; i += int(gl_WorkGroupSize.x)) {
             ivec2 texel = tile.zw + ivec2(i % tileSide, i / tileSide);
@@ -322,11 +327,16 @@ void main() {
         if (settle(quad, a, b, c, d, slab)) walk(quad, slab, index, settled);
         return;
     }
-    vec2 surface = texelFetch(depthPyramid, ivec2(0), textureQueryLevels(depthPyramid) - 1).xy;
-    vec2 beam = distanceBetween(quad, vec2(-0.1, 1.1) * boxExtent.z);
-    if (beam.x > surface.y || beam.y < surface.x) return;
-    int slabs = slabsAlong(quad);
-    for (int i = 0; i < slabs; ++i)
-        if (slabAlong(quad, i, slabs, slab)) walk(quad, slab, index, i);
+    int slabs = slabsAlong(quad), run = slabs;
+    for (int i = 0; i < slabs;) {
+        bool met = slabAlong(quad, i, run, slabs, slab);
+        if (met && run > 1) {
+            run /= 2;
+            continue;
+        }
+        if (met) walk(quad, slab, index, i);
+        i += run;
+        run = i & -i;
+    }
 }
 #endif

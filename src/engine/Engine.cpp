@@ -183,6 +183,16 @@ void Engine::drawSceneDepth(int index) {
     if (_scene.caustics.method == Method::ExactBeam) _sceneDepthPass.drawSolids(state.sceneDepth, inputs);
 }
 
+/// Further maps are lit by beams that run along them, each over many texels; finer than a quarter of the
+/// water's quads there is nothing to see in them.
+int Engine::mapSizeOf(const ReceiverMaps& maps) const {
+    const int asked = _scene.caustics.mapSize;
+    if (maps.level.facing == 0) return asked;
+    const glm::dvec2 quad = _patch.size / glm::dvec2(_patch.grid);
+    const double longer = std::max(maps.box.extent.x, maps.box.extent.y);
+    return int(std::clamp(std::ceil(4 * longer / std::min(quad.x, quad.y)), 1.0, double(asked)));
+}
+
 void Engine::updateLevelMap(ReceiverMaps& maps) {
     const CausticsSettings& settings = _scene.caustics;
     const LightState& state = _lights[std::size_t(maps.light)];
@@ -198,7 +208,7 @@ void Engine::updateLevelMap(ReceiverMaps& maps) {
                                           sceneDepth && !alone ? &sceneDepth->first : nullptr,
                                           *maps.facings,
                                           maps.gradients};
-        _levelMapPass.draw(maps.level, inputs, maps.box, settings.mapSize, settings.planes, _origin);
+        _levelMapPass.draw(maps.level, inputs, maps.box, mapSizeOf(maps), settings.planes, _origin);
     }
     if (settings.method != Method::ExactBeam) return;
     Scope scope(_timers, "tangent planes");

@@ -82,6 +82,7 @@ class Engine {
   private:
     void updateLight(int light);
     void updateStatic();
+    int mapSizeOf(const ReceiverMaps& maps) const;
     void updateLevelMap(ReceiverMaps& maps);
     void slice(LevelMap& map);
     void fill(ReceiverMaps& maps);
