@@ -12,8 +12,11 @@ namespace limpid::apps {
 
 void addCommonOptions(CLI::App& command, CommonOptions& options) {
     command.add_option("INPUT", options.input, "scene (.toml) or model (.glb, .gltf)")->required();
+    std::vector<std::string_view> methods;
+    for (const Method method : allMethods())
+        methods.push_back(methodName(method));
     command.add_option("--method", options.method,
-                       "how caustics are computed: exact-beam, level-map, level-map-smart");
+                       fmt::format("how caustics are computed: {}", fmt::join(methods, ", ")));
     command.add_option("--planes", options.planes, "reference planes of a box, before slicing drops any");
     command.add_option("--map-size", options.mapSize, "texels on the longer side of a map");
     command.add_option("--set", options.settings, "KEY=VALUE: change any key of the scene (repeatable)")

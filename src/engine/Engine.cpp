@@ -133,10 +133,8 @@ void Engine::updateCaustics(double time) {
 void Engine::updateStatic() {
     for (int light = 0; light < int(_lights.size()); ++light)
         updateLight(light);
-    for (ReceiverMaps& maps : _maps) {
-        updateLevelMap(maps);
-        if (_scene.caustics.method == Method::LevelMapSmart) slice(maps.level);
-    }
+    for (ReceiverMaps& maps : _maps)
+        updateReceiver(maps);
     _staticReady = true;
 }
 
@@ -183,6 +181,28 @@ void Engine::drawSceneDepth(int index) {
     if (_scene.caustics.method == Method::ExactBeam) _sceneDepthPass.drawSolids(state.sceneDepth, inputs);
 }
 
+/// What a method needs to know of a receiver.
+void Engine::updateReceiver(ReceiverMaps& maps) {
+    switch (_scene.caustics.method) {
+    case Method::LevelMap:
+        drawLevelMap(maps);
+        break;
+    case Method::LevelMapSmart:
+        drawLevelMap(maps);
+        slice(maps.level);
+        break;
+    case Method::ExactBeam:
+        drawLevelMap(maps);
+        updateTangentPlanes(maps);
+        break;
+    }
+}
+
+const SceneDepth* Engine::sceneDepthOf(const ReceiverMaps& maps) const {
+    const SceneDepth& sceneDepth = _lights[std::size_t(maps.light)].sceneDepth;
+    return sceneDepth.first.id() ? &sceneDepth : nullptr;
+}
+
 /// Further maps are lit by beams that run along them, each over many texels; finer than a quarter of the
 /// water's quads there is nothing to see in them.
 int Engine::mapSizeOf(const ReceiverMaps& maps) const {
@@ -193,26 +213,26 @@ int Engine::mapSizeOf(const ReceiverMaps& maps) const {
     return int(std::clamp(std::ceil(4 * longer / std::min(quad.x, quad.y)), 1.0, double(asked)));
 }
 
-void Engine::updateLevelMap(ReceiverMaps& maps) {
+void Engine::drawLevelMap(ReceiverMaps& maps) {
+    Scope scope(_timers, "level map");
     const CausticsSettings& settings = _scene.caustics;
-    const LightState& state = _lights[std::size_t(maps.light)];
-    const SceneDepth* sceneDepth = state.sceneDepth.first.id() ? &state.sceneDepth : nullptr;
-    {
-        Scope scope(_timers, "level map");
-        // Alone and seen along the light, a receiver has nothing before it but itself.
-        const bool alone = maps.level.facing == 0 && _receivers.size() == 1 &&
-                           _scene.lights[std::size_t(maps.light)].type == LightType::Directional;
-        const LevelMapPass::Inputs inputs{_receivers[std::size_t(maps.receiver)],
-                                          maps.receiver,
-                                          state.beams,
-                                          sceneDepth && !alone ? &sceneDepth->first : nullptr,
-                                          *maps.facings,
-                                          maps.gradients};
-        _levelMapPass.draw(maps.level, inputs, maps.box, mapSizeOf(maps), settings.planes, _origin);
-    }
-    if (settings.method != Method::ExactBeam) return;
+    const SceneDepth* sceneDepth = sceneDepthOf(maps);
+    // Alone and seen along the light, a receiver has nothing before it but itself.
+    const bool alone = maps.level.facing == 0 && _receivers.size() == 1 &&
+                       _scene.lights[std::size_t(maps.light)].type == LightType::Directional;
+    const LevelMapPass::Inputs inputs{_receivers[std::size_t(maps.receiver)],
+                                      maps.receiver,
+                                      _lights[std::size_t(maps.light)].beams,
+                                      sceneDepth && !alone ? &sceneDepth->first : nullptr,
+                                      *maps.facings,
+                                      maps.gradients};
+    _levelMapPass.draw(maps.level, inputs, maps.box, mapSizeOf(maps), settings.planes, _origin);
+}
+
+void Engine::updateTangentPlanes(ReceiverMaps& maps) {
     Scope scope(_timers, "tangent planes");
-    _tangentPlanesPass.update(maps.tangents, maps.level, state.beams, sceneDepth);
+    _tangentPlanesPass.update(maps.tangents, maps.level, _lights[std::size_t(maps.light)].beams,
+                              sceneDepthOf(maps));
 }
 
 void Engine::slice(LevelMap& map) {
@@ -233,8 +253,7 @@ void Engine::fill(ReceiverMaps& maps) {
         break;
     case Method::ExactBeam:
         _exactBeams.fill(maps.caustics,
-                         {maps.level, maps.receiver, maps.tangents,
-                          state.sceneDepth.first.id() ? &state.sceneDepth : nullptr, state.beams,
+                         {maps.level, maps.receiver, maps.tangents, sceneDepthOf(maps), state.beams,
                           _surface.mesh(), _scene.water, _scene.lights[std::size_t(maps.light)]});
         break;
     }

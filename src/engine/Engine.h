@@ -82,8 +82,11 @@ class Engine {
   private:
     void updateLight(int light);
     void updateStatic();
+    void updateReceiver(ReceiverMaps& maps);
     int mapSizeOf(const ReceiverMaps& maps) const;
-    void updateLevelMap(ReceiverMaps& maps);
+    void drawLevelMap(ReceiverMaps& maps);
+    void updateTangentPlanes(ReceiverMaps& maps);
+    const SceneDepth* sceneDepthOf(const ReceiverMaps& maps) const;
     void slice(LevelMap& map);
     void fill(ReceiverMaps& maps);
     void addMaps(int light, int receiver);

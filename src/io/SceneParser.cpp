@@ -240,9 +240,9 @@ Receiver parseReceiver(TomlTable table, std::size_t number, Names& taken, const 
 
 CausticsSettings parseCaustics(TomlTable table) {
     CausticsSettings caustics;
-    std::vector<std::string_view> methods;
-    for (const Method method : {caustics.method, Method::LevelMap, Method::LevelMapSmart, Method::ExactBeam})
-        if (methods.empty() || methodName(method) != methods.front()) methods.push_back(methodName(method));
+    std::vector<std::string_view> methods{methodName(caustics.method)};
+    for (const Method method : allMethods())
+        if (method != caustics.method) methods.push_back(methodName(method));
     caustics.method =
         *methodFromName(methods[table.choice("method", methods, " (the methods there are so far)")]);
     parseWhole(table, "map_size", caustics.mapSize, 1, 16384);

@@ -3,22 +3,28 @@
 namespace limpid {
 
 namespace {
-constexpr std::pair<Method, std::string_view> methodNames[] = {
-    {Method::LevelMap, "level-map"},
-    {Method::LevelMapSmart, "level-map-smart"},
-    {Method::ExactBeam, "exact-beam"},
-};
+constexpr Method methods[] = {Method::LevelMap, Method::LevelMapSmart, Method::ExactBeam};
+}
+
+std::span<const Method> allMethods() {
+    return methods;
 }
 
 std::string_view methodName(Method method) {
-    for (const auto& [value, name] : methodNames)
-        if (value == method) return name;
+    switch (method) {
+    case Method::LevelMap:
+        return "level-map";
+    case Method::LevelMapSmart:
+        return "level-map-smart";
+    case Method::ExactBeam:
+        return "exact-beam";
+    }
     return "";
 }
 
 std::optional<Method> methodFromName(std::string_view name) {
-    for (const auto& [value, known] : methodNames)
-        if (known == name) return value;
+    for (const Method method : methods)
+        if (methodName(method) == name) return method;
     return std::nullopt;
 }
 

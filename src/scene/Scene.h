@@ -2,6 +2,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -105,6 +106,9 @@ struct Scene {
     glm::dvec3 ambientRadiance{0.05, 0.05, 0.05}; ///< W/(m² sr)
     CausticsSettings caustics;
 };
+
+/// Every method there is.
+std::span<const Method> allMethods();
 
 /// The name that the scene file and `--method` use, and back; none for a name that no method has.
 std::string_view methodName(Method method);
