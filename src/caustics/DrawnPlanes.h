@@ -1,7 +1,6 @@
 #pragma once
-#include "caustics/BeamFootprints.h"
 #include "caustics/CausticMap.h"
-#include "gl/Program.h"
+#include "caustics/PlaneDrawer.h"
 #include "levelmap/LevelMap.h"
 
 namespace limpid {
@@ -19,8 +18,7 @@ class DrawnPlanes {
 
   private:
     gl::Context& _context;
-    BeamFootprints _footprints;
-    gl::Program _program;
+    PlaneDrawer _drawer;
 };
 
 } // namespace limpid

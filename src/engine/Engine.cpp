@@ -213,20 +213,25 @@ int Engine::mapSizeOf(const ReceiverMaps& maps) const {
     return int(std::clamp(std::ceil(4 * longer / std::min(quad.x, quad.y)), 1.0, double(asked)));
 }
 
-void Engine::drawLevelMap(ReceiverMaps& maps) {
-    Scope scope(_timers, "level map");
-    const CausticsSettings& settings = _scene.caustics;
+void Engine::prepareMaps(ReceiverMaps& maps) {
+    prepareLevelMap(
+        _context, maps.level,
+        {maps.box, *maps.facings, maps.gradients, mapSizeOf(maps), _scene.caustics.planes, _origin});
+}
+
+LitReceiver Engine::litReceiver(const ReceiverMaps& maps) const {
     const SceneDepth* sceneDepth = sceneDepthOf(maps);
     // Alone and seen along the light, a receiver has nothing before it but itself.
     const bool alone = maps.level.facing == 0 && _receivers.size() == 1 &&
                        _scene.lights[std::size_t(maps.light)].type == LightType::Directional;
-    const LevelMapPass::Inputs inputs{_receivers[std::size_t(maps.receiver)],
-                                      maps.receiver,
-                                      _lights[std::size_t(maps.light)].beams,
-                                      sceneDepth && !alone ? &sceneDepth->first : nullptr,
-                                      *maps.facings,
-                                      maps.gradients};
-    _levelMapPass.draw(maps.level, inputs, maps.box, mapSizeOf(maps), settings.planes, _origin);
+    return {_receivers[std::size_t(maps.receiver)], maps.receiver, _lights[std::size_t(maps.light)].beams,
+            sceneDepth && !alone ? &sceneDepth->first : nullptr};
+}
+
+void Engine::drawLevelMap(ReceiverMaps& maps) {
+    Scope scope(_timers, "level map");
+    prepareMaps(maps);
+    _levelMapPass.draw(maps.level, litReceiver(maps));
 }
 
 void Engine::updateTangentPlanes(ReceiverMaps& maps) {

@@ -84,6 +84,8 @@ class Engine {
     void updateStatic();
     void updateReceiver(ReceiverMaps& maps);
     int mapSizeOf(const ReceiverMaps& maps) const;
+    void prepareMaps(ReceiverMaps& maps);
+    LitReceiver litReceiver(const ReceiverMaps& maps) const;
     void drawLevelMap(ReceiverMaps& maps);
     void updateTangentPlanes(ReceiverMaps& maps);
     const SceneDepth* sceneDepthOf(const ReceiverMaps& maps) const;

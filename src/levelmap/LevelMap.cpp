@@ -21,11 +21,13 @@ struct BoxFrameData {
     std::array<glm::vec4, 4> facingAxes;
 };
 
-gl::Buffer boxFrame(gl::Ledger& ledger, const TexelFrame& frame, int planes, const Facings& facings,
-                    const DepthGradients& gradients, int facing, const glm::dvec3& origin) {
+gl::Buffer boxFrame(gl::Ledger& ledger, const TexelFrame& frame, int planes, int facing,
+                    const LevelMapLayout& layout) {
     const OrientedBox& b = frame.box;
+    const Facings& facings = layout.facings;
+    const DepthGradients& gradients = layout.gradients;
     BoxFrameData data{
-        glm::vec4(b.corner - origin, 0),
+        glm::vec4(b.corner - layout.origin, 0),
         glm::vec4(b.u, 0),
         glm::vec4(b.w, 0),
         glm::vec4(b.t, 0),
@@ -42,28 +44,33 @@ gl::Buffer boxFrame(gl::Ledger& ledger, const TexelFrame& frame, int planes, con
 
 } // namespace
 
+void prepareLevelMap(gl::Context& context, LevelMap& map, const LevelMapLayout& layout) {
+    gl::Ledger& ledger = context.ledger();
+    map.frame = texelFrame(layout.box, layout.mapSize);
+    const int count = map.frame.flat ? 1 : layout.planes;
+    map.requestedPlanes = layout.planes;
+    map.planes = uniformPlanes(map.frame.box.extent.z, count);
+    map.box = boxFrame(ledger, map.frame, count, map.facing, layout);
+    if (map.position.id() && map.position.size() == map.frame.size) return;
+    map.position = gl::Texture(ledger, "position map", GL_RG32F, map.frame.size);
+    map.diffuse = gl::Texture(ledger, "diffuse map", GL_SRGB8_ALPHA8, map.frame.size);
+    map.normal = gl::Texture(ledger, "normal map", GL_RG16, map.frame.size);
+}
+
+void LitReceiver::draw(const gl::Program& program, const LevelMap& map) const {
+    beams.frame.bindUniform(0);
+    map.box.bindUniform(1);
+    if (sceneDepth) sceneDepth->bind(sceneDepthUnit);
+    program.set(TestOcclusion, sceneDepth ? 1 : 0);
+    program.set(ReceiverNumber, number);
+    geometry.draw(program);
+}
+
 LevelMapPass::LevelMapPass(gl::Context& context)
     : _context(context),
       _program({"levelmap/level_map.vert", "levelmap/face.geom", "levelmap/level_map.frag"}) {}
 
-void LevelMapPass::resize(LevelMap& map, glm::ivec2 size) {
-    if (map.position.id() && map.position.size() == size) return;
-    gl::Ledger& ledger = _context.ledger();
-    map.position = gl::Texture(ledger, "position map", GL_RG32F, size);
-    map.diffuse = gl::Texture(ledger, "diffuse map", GL_SRGB8_ALPHA8, size);
-    map.normal = gl::Texture(ledger, "normal map", GL_RG16, size);
-}
-
-void LevelMapPass::draw(LevelMap& map, const Inputs& inputs, const OrientedBox& box, int mapSize, int planes,
-                        const glm::dvec3& origin) {
-    map.frame = texelFrame(box, mapSize);
-    const int count = map.frame.flat ? 1 : planes;
-    map.requestedPlanes = planes;
-    map.planes = uniformPlanes(map.frame.box.extent.z, count);
-    map.box =
-        boxFrame(_context.ledger(), map.frame, count, inputs.facings, inputs.gradients, map.facing, origin);
-    resize(map, map.frame.size);
-
+void LevelMapPass::draw(LevelMap& map, const LitReceiver& receiver) {
     const gl::Texture depth(_context.ledger(), "depth buffer", GL_DEPTH_COMPONENT32F, map.frame.size);
     const gl::Texture* const targets[] = {&map.position, &map.diffuse, &map.normal};
     const gl::Framebuffer framebuffer("level map", targets, &depth);
@@ -74,12 +81,7 @@ void LevelMapPass::draw(LevelMap& map, const Inputs& inputs, const OrientedBox& 
     framebuffer.clearDepth(1);
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_FRAMEBUFFER_SRGB);
-    inputs.beams.frame.bindUniform(0);
-    map.box.bindUniform(1);
-    if (inputs.sceneDepth) inputs.sceneDepth->bind(sceneDepthUnit);
-    _program.set(TestOcclusion, inputs.sceneDepth ? 1 : 0);
-    _program.set(ReceiverNumber, inputs.receiverNumber);
-    inputs.geometry.draw(_program);
+    receiver.draw(_program, map);
     glDisable(GL_FRAMEBUFFER_SRGB);
     glDisable(GL_DEPTH_TEST);
 }

@@ -27,27 +27,38 @@ struct LevelMap {
     std::vector<ReferencePlane> planes; ///< to be drawn, from the top down
 };
 
+/// What a level map is laid out by.
+struct LevelMapLayout {
+    const OrientedBox& box; ///< in the world, along the mean light or along the view of a further map
+    const Facings& facings;
+    const DepthGradients& gradients; ///< of the faces that the map holds
+    int mapSize;                     ///< texels on the longer side of the box
+    int planes;
+    glm::dvec3 origin; ///< that positions on the GPU are relative to
+};
+/// Gives `map` its frame, all of its planes and textures of the right size, whose content is yet to be drawn.
+void prepareLevelMap(gl::Context& context, LevelMap& map, const LevelMapLayout& layout);
+
+/// A receiver, and what may keep the mean light from it.
+struct LitReceiver {
+    const ReceiverGeometry& geometry;
+    int number;
+    const Beams& beams;            ///< for the mean light
+    const gl::Texture* sceneDepth; ///< null: nothing else can be before the receiver
+
+    /// Sets what shaders/include/level_map_texel.glsl reads for a prepared map, and draws.
+    void draw(const gl::Program& program, const LevelMap& map) const;
+};
+
 /// Draws position, diffuse and normal map in one pass.
 class LevelMapPass {
   public:
     explicit LevelMapPass(gl::Context& context);
 
-    struct Inputs {
-        const ReceiverGeometry& geometry;
-        int receiverNumber;
-        const Beams& beams;            ///< for the mean light
-        const gl::Texture* sceneDepth; ///< null: nothing else can be before the receiver
-        const Facings& facings;
-        const DepthGradients& gradients; ///< of the faces that the map holds
-    };
-
-    /// `box` (in the world) runs along the mean light, or along the view of a further map; `mapSize` texels
-    /// on its longer side. All planes are kept.
-    void draw(LevelMap& map, const Inputs& inputs, const OrientedBox& box, int mapSize, int planes,
-              const glm::dvec3& origin);
+    /// Into a map that is prepared.
+    void draw(LevelMap& map, const LitReceiver& receiver);
 
   private:
-    void resize(LevelMap& map, glm::ivec2 size);
     gl::Context& _context;
     gl::Program _program;
 };
