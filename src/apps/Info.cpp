@@ -17,6 +17,7 @@ nlohmann::ordered_json infoJson(const gl::DeviceInfo& info) {
                                    {"platform", info.platform},
                                    {"limits",
                                     {{"texture_size", info.maxTextureSize},
+                                     {"texture_layers", info.maxTextureLayers},
                                      {"compute_invocations", info.maxComputeInvocations},
                                      {"storage_block_bytes", info.maxStorageBlockBytes},
                                      {"subpixel_bits", info.subpixelBits}}}};
@@ -32,7 +33,8 @@ void printInfo(const gl::DeviceInfo& info) {
     fmt::print("GPU       {} ({})\n", info.renderer, info.vendor);
     fmt::print("OpenGL    {}, GLSL {}\n", info.version, info.glsl);
     fmt::print("EGL       {}, platform {}\n", info.egl, info.platform);
-    fmt::print("maps      up to {0} x {0} texels\n", info.maxTextureSize);
+    fmt::print("maps      up to {0} x {0} texels, {1} slices of a volumetric one\n", info.maxTextureSize,
+               info.maxTextureLayers);
     fmt::print("buffers   up to {} MiB each\n", info.maxStorageBlockBytes >> 20);
     fmt::print("compute   {} invocations a group (64 are used)\n", info.maxComputeInvocations);
     fmt::print("raster    corners on a grid of 1/{} texel\n", 1 << info.subpixelBits);

@@ -2,6 +2,10 @@
 
 namespace limpid {
 
+namespace {
+enum Uniform { PlaneNumber = 1 };
+} // namespace
+
 DrawnPlanes::DrawnPlanes(gl::Context& context)
     : _context(context), _drawer(context, "caustics/drawn_plane.frag") {}
 
@@ -18,8 +22,10 @@ void DrawnPlanes::fill(CausticMap& caustics, const LevelMap& map, const Beams& b
     map.position.bind(0);
     map.diffuse.bind(1);
     map.normal.bind(2);
-    for (const ReferencePlane& plane : map.planes)
+    for (const ReferencePlane& plane : map.planes) {
+        _drawer.program().set(PlaneNumber, plane.index);
         _drawer.draw(plane);
+    }
 }
 
 } // namespace limpid

@@ -3,7 +3,7 @@
 namespace limpid {
 
 namespace {
-enum Uniform { PlaneDepth, PlaneNumber, Strength, ExtinctionPerMetre, TestSurfaceShadow };
+enum Uniform { PlaneDepth, Strength = 2, ExtinctionPerMetre, TestSurfaceShadow };
 } // namespace
 
 PlaneDrawer::PlaneDrawer(gl::Context& context, const char* fragmentShader)
@@ -25,7 +25,6 @@ void PlaneDrawer::draw(const ReferencePlane& plane) const {
     _footprints.vertexArray().bind();
     _program.use();
     _program.set(PlaneDepth, float(plane.depth));
-    _program.set(PlaneNumber, plane.index);
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE);
     glDrawElements(GL_TRIANGLES, 3 * _footprints.triangleCount(), GL_UNSIGNED_INT, nullptr);

@@ -52,6 +52,13 @@ void requireGrid(glm::ivec2 grid, const gl::DeviceInfo& gpu) {
                         grid.x, grid.y));
 }
 
+void requirePlanes(const CausticsSettings& settings, const gl::DeviceInfo& gpu) {
+    if (settings.method == Method::Volumetric && settings.planes > gpu.maxTextureLayers)
+        throw InputError(
+            fmt::format("caustics.planes: expected at most {} with this GPU and method volumetric, found {}",
+                        gpu.maxTextureLayers, settings.planes));
+}
+
 } // namespace
 
 Engine::Engine(gl::Context& context)
@@ -65,6 +72,7 @@ void Engine::setScene(Scene scene) {
     _origin = chooseOrigin(worldBounds(_scene));
     _patch = coveringPatch(_scene);
     requireGrid(_patch.grid, _context.info());
+    requirePlanes(_scene.caustics, _context.info());
     _receivers.clear();
     _submerged.clear();
     _dry.clear();
@@ -195,6 +203,9 @@ void Engine::updateReceiver(ReceiverMaps& maps) {
         drawLevelMap(maps);
         updateTangentPlanes(maps);
         break;
+    case Method::Volumetric:
+        drawSlices(maps);
+        break;
     }
 }
 
@@ -240,6 +251,13 @@ void Engine::updateTangentPlanes(ReceiverMaps& maps) {
                               sceneDepthOf(maps));
 }
 
+void Engine::drawSlices(ReceiverMaps& maps) {
+    Scope scope(_timers, "slice images");
+    if (!_volumetric) _volumetric = std::make_unique<Volumetric>(_context);
+    prepareMaps(maps);
+    _volumetric->drawSlices(maps.slices, maps.level, litReceiver(maps));
+}
+
 void Engine::slice(LevelMap& map) {
     const CausticsSettings& settings = _scene.caustics;
     Scope scope(_timers, "slicing");
@@ -260,6 +278,10 @@ void Engine::fill(ReceiverMaps& maps) {
         _exactBeams.fill(maps.caustics,
                          {maps.level, maps.receiver, maps.tangents, sceneDepthOf(maps), state.beams,
                           _surface.mesh(), _scene.water, _scene.lights[std::size_t(maps.light)]});
+        break;
+    case Method::Volumetric:
+        _volumetric->drawCaustics(maps.slices, maps.level, state.beams, _surface.mesh(), _scene.water);
+        _volumetric->combine(maps.caustics, maps.level, maps.slices);
         break;
     }
 }

@@ -8,6 +8,7 @@
 #include "caustics/DrawnPlanes.h"
 #include "caustics/ExactBeams.h"
 #include "caustics/FluxAudit.h"
+#include "caustics/Volumetric.h"
 #include "gl/Context.h"
 #include "gl/TimerQuery.h"
 #include "levelmap/LevelMap.h"
@@ -40,6 +41,7 @@ struct ReceiverMaps {
     LevelMap level;
     TangentPlanes tangents; ///< for exact beams only
     CausticMap caustics;
+    Slices slices; ///< empty but for the volumetric method
 };
 
 /// The order of a frame. Needs a current context, which it does not own; holds everything on the GPU that one
@@ -91,6 +93,7 @@ class Engine {
     const SceneDepth* sceneDepthOf(const ReceiverMaps& maps) const;
     void slice(LevelMap& map);
     void fill(ReceiverMaps& maps);
+    void drawSlices(ReceiverMaps& maps);
     void addMaps(int light, int receiver);
     void drawSceneDepth(int light);
     bool needsSceneDepth(int light) const;
@@ -106,6 +109,7 @@ class Engine {
     TangentPlanesPass _tangentPlanesPass;
     DrawnPlanes _drawnPlanes;
     ExactBeams _exactBeams;
+    std::unique_ptr<Volumetric> _volumetric; ///< made when a scene asks for it
     FluxAudit _fluxAudit;
     std::unique_ptr<PicturePass> _picturePass; ///< made for the first picture: a bake needs none
 

@@ -133,6 +133,7 @@ DeviceInfo queryInfo(EGLDisplay display, const std::string& platform) {
     info.egl = egl ? egl : "";
     info.platform = platform;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &info.maxTextureSize);
+    glGetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &info.maxTextureLayers);
     glGetIntegerv(GL_MAX_COMPUTE_WORK_GROUP_INVOCATIONS, &info.maxComputeInvocations);
     glGetIntegerv(GL_SUBPIXEL_BITS, &info.subpixelBits);
     GLint64 storage = 0;

@@ -28,6 +28,7 @@ struct DeviceDescription {
 struct DeviceInfo {
     std::string vendor, renderer, version, glsl, egl, platform;
     int maxTextureSize = 0;
+    int maxTextureLayers = 0;
     int maxComputeInvocations = 0;
     int subpixelBits = 0;
     std::int64_t maxStorageBlockBytes = 0;

@@ -99,11 +99,16 @@ std::int64_t textureBytes(glm::ivec2 size, int levels, GLenum format) {
 
 } // namespace
 
-Texture::Texture(Ledger& ledger, std::string kind, GLenum internalFormat, glm::ivec2 size, Mipmaps mipmaps)
-    : _format(internalFormat), _size(size), _levels(levelsOf(size, mipmaps)),
-      _bytes(textureBytes(size, _levels, internalFormat)), _kind(std::move(kind)), _ledger(&ledger) {
-    glCreateTextures(GL_TEXTURE_2D, 1, &_id);
-    glTextureStorage2D(_id, _levels, internalFormat, size.x, size.y);
+Texture::Texture(Ledger& ledger, std::string kind, GLenum internalFormat, glm::ivec2 size, Mipmaps mipmaps,
+                 Layers layers)
+    : _format(internalFormat), _size(size), _levels(levelsOf(size, mipmaps)), _layers(layers.count),
+      _bytes(textureBytes(size, _levels, internalFormat) * std::max(_layers, 1)), _kind(std::move(kind)),
+      _ledger(&ledger) {
+    glCreateTextures(_layers > 0 ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D, 1, &_id);
+    if (_layers > 0)
+        glTextureStorage3D(_id, _levels, internalFormat, size.x, size.y, _layers);
+    else
+        glTextureStorage2D(_id, _levels, internalFormat, size.x, size.y);
     setFilter(GL_NEAREST, GL_CLAMP_TO_EDGE);
     glObjectLabel(GL_TEXTURE, _id, -1, _kind.c_str());
     checkAllocation(_kind, _bytes);
@@ -127,7 +132,8 @@ void Texture::setFilter(GLenum filter, GLenum wrap) {
 std::vector<float> Texture::readFloats(GLenum format, int channels) const {
     glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    std::vector<float> out(std::size_t(_size.x) * std::size_t(_size.y) * std::size_t(channels));
+    std::vector<float> out(std::size_t(_size.x) * std::size_t(_size.y) * std::size_t(std::max(_layers, 1)) *
+                           std::size_t(channels));
     glGetTextureImage(_id, 0, format, GL_FLOAT, GLsizei(out.size() * sizeof(float)), out.data());
     return out;
 }
@@ -144,18 +150,23 @@ void Texture::swap(Texture& other) noexcept {
     std::swap(_format, other._format);
     std::swap(_size, other._size);
     std::swap(_levels, other._levels);
+    std::swap(_layers, other._layers);
     std::swap(_bytes, other._bytes);
     std::swap(_kind, other._kind);
     std::swap(_ledger, other._ledger);
 }
 
-Framebuffer::Framebuffer(std::string label, std::span<const Texture* const> colors, const Texture* depth) {
+Framebuffer::Framebuffer(std::string label, std::span<const Texture* const> colors, const Texture* depth,
+                         int layer) {
     glCreateFramebuffers(1, &_id);
     glObjectLabel(GL_FRAMEBUFFER, _id, -1, label.c_str());
     std::vector<GLenum> attachments;
     for (const Texture* color : colors) {
         attachments.push_back(GLenum(GL_COLOR_ATTACHMENT0 + attachments.size()));
-        glNamedFramebufferTexture(_id, attachments.back(), color->id(), 0);
+        if (color->layers() > 0)
+            glNamedFramebufferTextureLayer(_id, attachments.back(), color->id(), 0, layer);
+        else
+            glNamedFramebufferTexture(_id, attachments.back(), color->id(), 0);
         _size = color->size();
     }
     if (depth) {

@@ -57,13 +57,20 @@ class Buffer {
 };
 
 enum class Mipmaps { None, Full };
+/// Of a texture array; none: a plain texture.
+struct Layers {
+    int count = 0;
+};
 
-/// A two-dimensional texture.
+/// A two-dimensional texture, or an array of such.
 class Texture {
   public:
     Texture() = default;
     Texture(Ledger& ledger, std::string kind, GLenum internalFormat, glm::ivec2 size,
-            Mipmaps mipmaps = Mipmaps::None);
+            Mipmaps mipmaps = Mipmaps::None)
+        : Texture(ledger, std::move(kind), internalFormat, size, mipmaps, Layers{}) {}
+    Texture(Ledger& ledger, std::string kind, GLenum internalFormat, glm::ivec2 size, Layers layers)
+        : Texture(ledger, std::move(kind), internalFormat, size, Mipmaps::None, layers) {}
     ~Texture() { reset(); }
     Texture(Texture&& other) noexcept { swap(other); }
     Texture& operator=(Texture&& other) noexcept {
@@ -75,6 +82,7 @@ class Texture {
     GLuint id() const { return _id; }
     glm::ivec2 size() const { return _size; }
     int levels() const { return _levels; }
+    int layers() const { return _layers; }
     GLenum internalFormat() const { return _format; }
     void bind(GLuint unit) const { glBindTextureUnit(unit, _id); }
     void bindImage(GLuint unit, GLenum access, int level = 0) const {
@@ -83,27 +91,31 @@ class Texture {
     /// Fills the texture; its smaller levels follow.
     void upload(GLenum format, GLenum type, const void* data);
     void setFilter(GLenum filter, GLenum wrap);
-    /// Waits for the GPU and returns width · height · channels floats, row 0 first; `format` says the
-    /// channels.
+    /// Waits for the GPU and returns width · height · channels floats, row 0 first, layer by layer; `format`
+    /// says the channels.
     std::vector<float> readFloats(GLenum format, int channels) const;
 
   private:
+    Texture(Ledger& ledger, std::string kind, GLenum internalFormat, glm::ivec2 size, Mipmaps mipmaps,
+            Layers layers);
     void reset();
     void swap(Texture& other) noexcept;
     GLuint _id = 0;
     GLenum _format = 0;
     glm::ivec2 _size{0};
     int _levels = 1;
+    int _layers = 0;
     std::int64_t _bytes = 0;
     std::string _kind;
     Ledger* _ledger = nullptr;
 };
 
-/// Render targets; color attachment i is `colors[i]`.
+/// Render targets; color attachment i is `colors[i]`, of an array its `layer`.
 class Framebuffer {
   public:
     Framebuffer() = default;
-    Framebuffer(std::string label, std::span<const Texture* const> colors, const Texture* depth = nullptr);
+    Framebuffer(std::string label, std::span<const Texture* const> colors, const Texture* depth = nullptr,
+                int layer = 0);
     ~Framebuffer() {
         if (_id) glDeleteFramebuffers(1, &_id);
     }

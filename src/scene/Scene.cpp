@@ -3,7 +3,7 @@
 namespace limpid {
 
 namespace {
-constexpr Method methods[] = {Method::LevelMap, Method::LevelMapSmart, Method::ExactBeam};
+constexpr Method methods[] = {Method::LevelMap, Method::LevelMapSmart, Method::ExactBeam, Method::Volumetric};
 }
 
 std::span<const Method> allMethods() {
@@ -18,6 +18,8 @@ std::string_view methodName(Method method) {
         return "level-map-smart";
     case Method::ExactBeam:
         return "exact-beam";
+    case Method::Volumetric:
+        return "volumetric";
     }
     return "";
 }

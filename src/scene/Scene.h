@@ -85,7 +85,7 @@ struct Receiver {
     glm::dvec3 toWorld(const glm::dvec3& local) const { return translation + rotation * (scale * local); }
 };
 
-enum class Method { LevelMap, LevelMapSmart, ExactBeam };
+enum class Method { LevelMap, LevelMapSmart, ExactBeam, Volumetric };
 enum class Slicing { Automatic, Levels };
 
 struct CausticsSettings {

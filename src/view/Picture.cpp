@@ -113,7 +113,7 @@ PicturePass::PicturePass(gl::Context& context)
       _receiver({"view/receiver.vert", "view/receiver.tesc", "view/receiver.tese", "levelmap/face.geom",
                  "view/receiver.frag"}),
       _water({"view/water.vert", "view/water.frag"}),
-      _underwaterScreen({"view/screen.vert", "view/underwater_screen.frag"}) {}
+      _underwaterScreen({"gl/screen.vert", "view/underwater_screen.frag"}) {}
 
 int PicturePass::largestSide(const gl::Context& context) {
     return int(context.info().maxTextureSize / (supersampling * (1 + underwaterMargin)));

@@ -9,6 +9,7 @@
 
 #include "io/Images.h"
 #include "io/TempFolder.h"
+#include "scene/Scene.h"
 
 namespace limpid {
 namespace {
@@ -65,6 +66,23 @@ TEST_F(CommandLineGLTest, exrIsLinear) {
     EXPECT_EQ(result.code, 0);
     EXPECT_EQ(result.out, "") << "--quiet";
     EXPECT_EQ(io::readImage(path("a.exr")).channels, 3);
+}
+
+TEST_F(CommandLineGLTest, everyMethodBakesUnderItsName) {
+    for (const Method method : allMethods()) {
+        const std::string name(methodName(method));
+        EXPECT_THAT(run("bake --help").out, HasSubstr(name));
+        const Result result =
+            run("bake " + models("sphere.glb") + " -o " + path("maps") + " --method " + name + quick);
+        ASSERT_EQ(result.code, 0) << result.out;
+        const auto index = nlohmann::json::parse(std::ifstream(path("maps/index.json")));
+        EXPECT_EQ(index["method"], name);
+        EXPECT_GT(index["lights"][0]["flux"]["deposited"], 0);
+    }
+    const Result unknown = run("bake " + models("sphere.glb") + " -o " + path("none") + " --method stencil");
+    EXPECT_EQ(unknown.code, 2);
+    for (const Method method : allMethods())
+        EXPECT_THAT(unknown.out, HasSubstr(fmt::format("\"{}\"", methodName(method))));
 }
 
 TEST_F(CommandLineGLTest, bakeWritesTheContract) {

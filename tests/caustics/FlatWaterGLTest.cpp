@@ -166,7 +166,7 @@ TEST_P(CausticMapGLTest, aLampOverFlatWaterIsBrightestBelowIt) {
 }
 
 INSTANTIATE_TEST_SUITE_P(methods, CausticMapGLTest,
-                         ::testing::Values(Method::LevelMap, Method::LevelMapSmart, Method::ExactBeam),
+                         ::testing::ValuesIn(allMethods().begin(), allMethods().end()),
                          [](const auto& method) {
                              std::string name(methodName(method.param));
                              std::replace(name.begin(), name.end(), '-', '_');

@@ -131,9 +131,9 @@ const TextCase receivers[] = {
 };
 
 const TextCase settings[] = {
-    {"[caustics]\nmethod = \"photon-splat\"", "4:10: caustics.method: expected \"exact-beam\", \"level-map\" "
-                                              "or \"level-map-smart\" (the methods there "
-                                              "are so far), found \"photon-splat\""},
+    {"[caustics]\nmethod = \"photon-splat\"",
+     "4:10: caustics.method: expected \"exact-beam\", \"level-map\", \"level-map-smart\" or "
+     "\"volumetric\" (the methods there are so far), found \"photon-splat\""},
     {"[caustics]\nfill = \"one-pass\"",
      "4:8: caustics.fill: expected \"drawn\" (one-pass comes later), found \"one-pass\""},
     {"[caustics]\nmap_size = 16385",

@@ -1,0 +1,20 @@
+// The part of a receiver that is nearest to one plane (thesis 5.2.1, figure 5-2): the sides of the slab are half-way to
+// the neighbours, decided by index as in the level map.
+// Out 0 to 2: as in level_map.frag.
+#include "include/level_map_texel.glsl"
+#include "include/octahedral.glsl"
+layout(location = 2) uniform int planeNumber;
+layout(location = 0) out vec2 outPosition;
+layout(location = 1) out vec4 outDiffuse;
+layout(location = 2) out vec2 outNormal;
+
+void main() {
+    if (!isInMap()) discard;
+    float depth = texelDepth();
+    if (planeIndex(depth, boxExtent.z, boxSize.z) != planeNumber) discard;
+    vec3 normal = texelNormal();
+    float lit = texelLight(normal);
+    outPosition = vec2(depth, float(texelPlane(depth, lit)));
+    outDiffuse = vec4(baseColor().rgb, lit);
+    outNormal = octahedralEncode(normal);
+}
