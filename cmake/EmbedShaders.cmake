@@ -1,9 +1,13 @@
-# Writes every file of shaders/ as a string literal into one C++ source: see gl/ShaderLibrary.h.
+# Writes every shader of the given folders as a string literal into one C++ source, named by its path from shaders/: see
+# gl/ShaderLibrary.h.
 function(limpid_embed_shaders OUTPUT)
-  file(GLOB_RECURSE files CONFIGURE_DEPENDS
-    ${CMAKE_SOURCE_DIR}/shaders/*.glsl ${CMAKE_SOURCE_DIR}/shaders/*.vert ${CMAKE_SOURCE_DIR}/shaders/*.tesc
-    ${CMAKE_SOURCE_DIR}/shaders/*.tese ${CMAKE_SOURCE_DIR}/shaders/*.geom ${CMAKE_SOURCE_DIR}/shaders/*.frag
-    ${CMAKE_SOURCE_DIR}/shaders/*.comp)
+  set(files)
+  foreach(folder ${ARGN})
+    file(GLOB_RECURSE found CONFIGURE_DEPENDS
+      ${folder}/*.glsl ${folder}/*.vert ${folder}/*.tesc ${folder}/*.tese ${folder}/*.geom ${folder}/*.frag
+      ${folder}/*.comp)
+    list(APPEND files ${found})
+  endforeach()
   add_custom_command(OUTPUT ${OUTPUT}
     COMMAND ${CMAKE_COMMAND} -DOUTPUT=${OUTPUT} -DROOT=${CMAKE_SOURCE_DIR}/shaders "-DFILES=${files}"
             -P ${CMAKE_SOURCE_DIR}/cmake/WriteEmbeddedShaders.cmake

@@ -32,8 +32,8 @@ const std::map<std::string, Strings> mayInclude = {
     {"apps", {"core", "gl", "scene", "io", "water", "levelmap", "caustics", "view", "engine"}},
 };
 
-const Strings sourceFolders = {"src", "shaders", "tests", "models"};
-const Strings codeFolders = {"src", "shaders", "tests", "models", "tools", "cmake", ".ci"};
+const Strings sourceFolders = {"src", "shaders", "tests", "models", "profiles/bench"};
+const Strings codeFolders = {"src", "shaders", "tests", "models", "profiles/bench", "tools", "cmake", ".ci"};
 const Strings sourceExtensions = {".cpp",  ".h",    ".glsl", ".comp", ".vert",
                                   ".tesc", ".tese", ".geom", ".frag"};
 
@@ -118,7 +118,7 @@ TEST(Includes, areJudgedByTheTable) {
 TEST(Includes, nameOpenGlHeadersOnlyInGl) {
     static const std::regex header{R"(^\s*#\s*include\s*[<"](epoxy|EGL|GL|GLES\d?|KHR)/)"};
     Strings found;
-    for (const SourceFile& file : filesOf({"src", "tests", "models"}))
+    for (const SourceFile& file : filesOf({"src", "tests", "models", "profiles/bench"}))
         if (file.path.parent_path() != "src/gl")
             collect(file, found, [](const std::string& line) {
                 return std::regex_search(line, header) ? fmt::format("include gl/Api.h instead of {}", line)
