@@ -49,6 +49,7 @@ Json mapJson(const BakedMap& map) {
                  {"flux", {{"deposited", map.deposited}}}};
     // The map along the light is what the contract names; further ones say so.
     if (map.facing > 0) json["facing"] = map.facing;
+    if (map.standardError) json["standard_error"] = *map.standardError;
     return json;
 }
 

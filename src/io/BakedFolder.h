@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,8 @@ struct BakedMap {
     int facing = 0; ///< 0 the map along the light, else a further map for faces along it
     int planesRequested = 0, planesDrawn = 0;
     double deposited = 0; ///< W
+    /// References only: how far chance alone may put this map from the truth, as a share of its mean (nMAE).
+    std::optional<double> standardError;
 };
 
 struct BakedLight {
@@ -41,5 +44,8 @@ void prepareFolder(const std::filesystem::path& folder);
 /// Writes `index.json` and the EXR files of every map into `folder`, which is made if need be; the index
 /// comes last, so that a folder with an index is whole. Throws InputError when it cannot be written.
 void writeBake(const std::filesystem::path& folder, const Bake& bake);
+
+/// Reads a whole baked folder. Throws InputError: file, place in it, expected, found.
+Bake readBake(const std::filesystem::path& folder);
 
 } // namespace limpid::io

@@ -76,7 +76,8 @@ FloatImage readImage(const fs::path& file) {
     const auto input = OIIO::ImageInput::open(file.string());
     if (!input) failReading(file, OIIO::geterror());
     const OIIO::ImageSpec& spec = input->spec();
-    FloatImage image{spec.width, spec.height, spec.nchannels, spec.channelnames, {}};
+    FloatImage image{spec.width,        spec.height, spec.nchannels, spec.format.is_floating_point(),
+                     spec.channelnames, {}};
     if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1 || spec.depth > 1)
         failReading(file, "it has no pixels of two dimensions");
     if (std::int64_t(spec.width) * spec.height > maxNumbers / spec.nchannels)

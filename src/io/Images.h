@@ -14,6 +14,7 @@ struct FloatImage {
     int width = 0;
     int height = 0;
     int channels = 0;
+    bool floatingPoint = false; ///< how the file stores it
     std::vector<std::string> channelNames;
     std::vector<float> data;
 };
