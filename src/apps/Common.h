@@ -44,8 +44,14 @@ void printWarnings(const Engine& engine, const CommonOptions& options);
 /// GPU time by pass, planes, GPU bytes by kind, on stdout.
 void printWork(Engine& engine, gl::Context& context);
 
+/// Ends the program with `code` after it has said why.
+struct Exit {
+    int code = 0;
+};
+
 void addRender(CLI::App& app);
 void addBake(CLI::App& app);
+void addCompare(CLI::App& app);
 void addInfo(CLI::App& app);
 
 } // namespace limpid::apps

@@ -18,9 +18,11 @@ int run(int argc, char** argv) {
     CLI::App app("Light through moving water: caustics on glTF receivers.", "limpid");
     app.require_subcommand(1);
     app.set_version_flag("--version", std::string("limpid ") + LIMPID_VERSION);
-    app.footer("Exit: 0 done, 2 wrong usage or bad input, 3 the graphics system failed.");
+    app.footer(
+        "Exit: 0 done, 1 a comparison failed, 2 wrong usage or bad input, 3 the graphics system failed.");
     limpid::apps::addRender(app);
     limpid::apps::addBake(app);
+    limpid::apps::addCompare(app);
     limpid::apps::addInfo(app);
     try {
         app.parse(argc, argv);
@@ -38,8 +40,9 @@ int run(int argc, char** argv) {
         }
         if (app.get_subcommands().empty())
             return fail(
-                2, fmt::format("expected a command (render, bake, info), found \"{}\" (see limpid --help)",
-                               argv[1])
+                2, fmt::format(
+                       "expected a command (render, bake, compare, info), found \"{}\" (see limpid --help)",
+                       argv[1])
                        .c_str());
         return fail(2, fmt::format("{} (see limpid --help)", error.what()).c_str());
     }
@@ -53,6 +56,8 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
     try {
         return run(argc, argv);
+    } catch (const limpid::apps::Exit& exit) {
+        return exit.code;
     } catch (const limpid::InputError& error) {
         return fail(2, error.what());
     } catch (const limpid::GraphicsError& error) {

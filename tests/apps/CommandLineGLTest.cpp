@@ -1,12 +1,11 @@
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
-#include <sys/wait.h>
 
+#include "apps/RunProgram.h"
 #include "io/Images.h"
 #include "io/TempFolder.h"
 #include "scene/Scene.h"
@@ -17,23 +16,8 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-struct Result {
-    int code = -1;
-    std::string out; ///< stdout and stderr
-};
-
-/// Runs the program as a shell would.
-Result run(const std::string& arguments, const std::string& environment = "") {
-    const std::string command = fmt::format("{} {}/limpid {} 2>&1", environment, LIMPID_BUILD, arguments);
-    Result result;
-    FILE* pipe = popen(command.c_str(), "r");
-    if (!pipe) return result;
-    char buffer[4096];
-    while (const std::size_t bytes = std::fread(buffer, 1, sizeof(buffer), pipe))
-        result.out.append(buffer, bytes);
-    result.code = WEXITSTATUS(pclose(pipe));
-    return result;
-}
+using test::Result;
+using test::run;
 
 std::string models(const char* name) {
     return std::string(LIMPID_ROOT) + "/models/" + name;
@@ -122,7 +106,7 @@ TEST_F(CommandLineGLTest, wrongUsageIsTwo) {
     const std::string fish = models("fish.glb"), out = " -o " + path("x.png");
     const std::pair<std::string, std::string> cases[] = {
         {"", "Usage: limpid"},
-        {"paint", "expected a command (render, bake, info), found \"paint\""},
+        {"paint", "expected a command (render, bake, compare, info), found \"paint\""},
         {"render " + fish + out + " --colour 5", "found \"--colour 5\""},
         {"render " + fish + out + " --planes 0", "expected a whole number from 1 to 4096, found 0"},
         {"bake " + fish + " -o " + path("x") + " --time nan", "--time"},
