@@ -300,6 +300,10 @@ FluxBalance Engine::auditFlux(int index) {
 
 Picture Engine::render(double time, glm::ivec2 size) {
     updateCaustics(time);
+    return draw(size);
+}
+
+Picture Engine::draw(glm::ivec2 size) {
     if (!_picturePass) _picturePass = std::make_unique<PicturePass>(_context);
     Scope scope(_timers, "picture");
     std::vector<PicturePass::Lit> lit;

@@ -54,6 +54,8 @@ class Engine {
     /// choices of the scene (camera, extent of the water) are made here.
     void setScene(Scene scene);
     const Scene& scene() const { return _scene; }
+    /// Another method, other maps of the same scene, from the next update on.
+    void setCaustics(const CausticsSettings& settings) { _scene.caustics = settings; }
     /// What positions on the GPU are relative to, m: zero unless the scene is far from it.
     const glm::dvec3& origin() const { return _origin; }
     const WaterPatch& waterPatch() const { return _patch; }
@@ -70,7 +72,9 @@ class Engine {
 
     /// Pixels on the longer side of a picture, at most.
     static int largestPicture(const gl::Context& context) { return PicturePass::largestSide(context); }
-    /// updateCaustics, then the scene as its camera sees it.
+    /// The scene as its camera sees it, lit by the caustics of the last update. Waits for the GPU.
+    Picture draw(glm::ivec2 size);
+    /// updateCaustics, then draw.
     Picture render(double time, glm::ivec2 size);
 
     /// Off: all work is done that skipping would save (here: planes that no texel belongs to). The result is

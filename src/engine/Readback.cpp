@@ -40,4 +40,13 @@ MapData readMaps(const ReceiverMaps& maps, const glm::dvec3& origin) {
     return data;
 }
 
+std::vector<std::uint32_t> planeHistogram(const LevelMap& map) {
+    std::vector<std::uint32_t> texels(std::size_t(std::max(map.requestedPlanes, 0)));
+    if (!map.position.id()) return {};
+    const auto position = map.position.readFloats(GL_RG, 2);
+    for (std::size_t i = 1; i < position.size(); i += 2)
+        if (position[i] >= 0 && position[i] < float(texels.size())) ++texels[std::size_t(position[i])];
+    return texels;
+}
+
 } // namespace limpid

@@ -17,6 +17,10 @@ struct MapData {
     double deposited = 0;             ///< Σ irradiance · surface area, W, mean of R, G and B
 };
 
+/// Texels that light reaches, by reference plane, over all requested planes of the box: what smart slicing
+/// decides by. Empty without a level map. Waits for the GPU.
+std::vector<std::uint32_t> planeHistogram(const LevelMap& map);
+
 /// Waits for the GPU.
 MapData readMaps(const ReceiverMaps& maps, const glm::dvec3& origin);
 

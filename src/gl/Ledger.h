@@ -15,7 +15,9 @@ class Ledger {
 
     std::int64_t bytes(std::string_view kind) const;
     std::int64_t total() const { return _total; }
+    /// The most at any one time since the last `resetPeak`.
     std::int64_t peak() const { return _peak; }
+    void resetPeak() { _peak = _total; }
     const std::map<std::string, std::int64_t, std::less<>>& byKind() const { return _byKind; }
 
   private:

@@ -51,6 +51,8 @@ TEST(Ledger, countsByKind) {
     EXPECT_EQ(ledger.bytes("b"), 50);
     EXPECT_EQ(ledger.total(), 50);
     EXPECT_EQ(ledger.peak(), 150);
+    ledger.resetPeak();
+    EXPECT_EQ(ledger.peak(), 50);
     EXPECT_EQ(ledger.byKind().size(), 1u);
 }
 

@@ -1,0 +1,64 @@
+#include <numeric>
+
+#include "engine/EngineFixture.h"
+
+namespace limpid {
+namespace {
+
+class ReadbackGLTest : public EngineGLTest {
+  protected:
+    static Scene sphere() {
+        Scene scene;
+        scene.receivers = {scenes::model("sphere", -1.5)};
+        scene.lights = {scenes::sunAt(0)};
+        scene.water.grid = {16, 16};
+        scene.caustics.mapSize = 64;
+        scene.caustics.method = Method::LevelMapSmart;
+        scene.caustics.planes = 33;
+        return scene;
+    }
+};
+
+// It is what slicing counts on the GPU, so the planes that it drops are the empty ones.
+TEST_F(ReadbackGLTest, planeHistogramHasTheTexelsOfEachPlane) {
+    Engine engine(context());
+    engine.setScene(sphere());
+    engine.updateCaustics(0);
+    const ReceiverMaps& maps = engine.maps().front();
+    const auto histogram = planeHistogram(maps.level);
+    ASSERT_EQ(histogram.size(), 33u);
+    std::size_t occupied = 0;
+    for (std::size_t plane = 0; plane < histogram.size(); ++plane)
+        if (histogram[plane] > 0) {
+            ASSERT_LT(occupied, maps.level.planes.size());
+            EXPECT_EQ(maps.level.planes[occupied++].index, int(plane));
+        }
+    EXPECT_EQ(occupied, maps.level.planes.size());
+    const MapData data = readMaps(maps, engine.origin());
+    std::size_t seen = 0;
+    for (std::size_t i = 3; i < data.position.size(); i += 4)
+        seen += data.position[i] > 0;
+    EXPECT_EQ(std::accumulate(histogram.begin(), histogram.end(), std::size_t(0)), seen)
+        << "a sphere alone shades nothing that the light sees";
+}
+
+TEST_F(ReadbackGLTest, otherSettingsOfTheSameSceneAreThoseOfAFreshOne) {
+    Engine engine(context());
+    engine.setScene(sphere());
+    engine.updateCaustics(0);
+    Scene scene = sphere();
+    scene.caustics.method = Method::LevelMap;
+    scene.caustics.planes = 7;
+    scene.caustics.mapSize = 48;
+    engine.setCaustics(scene.caustics);
+    engine.updateCaustics(0);
+    const Baked fresh = bake(scene);
+    ASSERT_EQ(engine.maps().size(), fresh.maps.size());
+    for (std::size_t i = 0; i < fresh.maps.size(); ++i) {
+        EXPECT_EQ(readMaps(engine.maps()[i], engine.origin()).irradiance, fresh.maps[i].irradiance);
+        EXPECT_EQ(int(engine.maps()[i].level.planes.size()), 7);
+    }
+}
+
+} // namespace
+} // namespace limpid
