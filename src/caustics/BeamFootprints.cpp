@@ -24,6 +24,13 @@ void BeamFootprints::resize(const Beams& beams, const WaterMesh& surface) {
     _vertexArray.indices(surface.indices);
 }
 
+void BeamFootprints::free() {
+    _footprints = {};
+    _originDepths = {};
+    _areas = {};
+    _vertexCount = _triangleCount = 0;
+}
+
 void BeamFootprints::updateRays(const Beams& beams, const WaterMesh& surface, const LevelMap& map) {
     resize(beams, surface);
     map.box.bindUniform(1);

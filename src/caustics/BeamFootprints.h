@@ -16,6 +16,9 @@ class BeamFootprints {
     /// The rays alone, without the areas.
     void updateRays(const Beams& beams, const WaterMesh& surface, const LevelMap& map);
 
+    /// Gives back its memory until the next update.
+    void free();
+
     const gl::VertexArray& vertexArray() const { return _vertexArray; }
     /// A vertex: vec4, the texel that its ray meets at depth 0 and how it moves by m of depth.
     const gl::Buffer& rays() const { return _footprints; }

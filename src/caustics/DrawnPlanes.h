@@ -15,6 +15,8 @@ class DrawnPlanes {
     /// Clears and fills `caustics`. `beams` are those of the level map's light.
     void fill(CausticMap& caustics, const LevelMap& map, const Beams& beams, const WaterMesh& surface,
               const Water& water);
+    /// Gives back its memory until the next fill.
+    void free() { _drawer.free(); }
 
   private:
     gl::Context& _context;

@@ -30,6 +30,11 @@ class ExactBeams {
     };
     /// Overwrites `caustics`.
     void fill(CausticMap& caustics, const Inputs& inputs);
+    /// Gives back its memory until the next fill.
+    void free() {
+        _footprints.free();
+        _sums = {};
+    }
 
   private:
     void reserveSums(std::int64_t count);

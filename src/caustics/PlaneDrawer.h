@@ -19,6 +19,8 @@ class PlaneDrawer {
     void prepare(const LevelMap& map, const Beams& beams, const WaterMesh& surface, const Water& water);
     /// Adds to the framebuffer that is bound. Texture units 0 to 2 are the fragment shader's.
     void draw(const ReferencePlane& plane) const;
+    /// Gives back its memory until the next `prepare`.
+    void free() { _footprints.free(); }
     /// For uniforms of the fragment shader's own.
     const gl::Program& program() const { return _program; }
 

@@ -33,6 +33,8 @@ class Volumetric {
                       const Water& water);
     /// Fills `caustics` and the textures of `map`.
     void combine(CausticMap& caustics, LevelMap& map, const Slices& slices);
+    /// Gives back its memory until caustics are drawn again.
+    void free() { _drawer.free(); }
 
   private:
     void multiply(int plane);

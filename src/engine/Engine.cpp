@@ -82,14 +82,37 @@ void Engine::setScene(Scene scene) {
         const auto above = pointsOfSide(receiver, _scene.water.level, Side::Above);
         _dry.insert(_dry.end(), above.begin(), above.end());
     }
-    _staticReady = false;
-    _causticsTime.reset();
-    _lights.clear();
-    _lights.resize(_scene.lights.size());
     _maps.clear();
+    freeMaps();
     for (std::size_t light = 0; light < _lights.size(); ++light)
         for (std::size_t receiver = 0; receiver < _receivers.size(); ++receiver)
             addMaps(int(light), int(receiver));
+}
+
+void Engine::setCaustics(const CausticsSettings& settings) {
+    requirePlanes(settings, _context.info());
+    _scene.caustics = settings;
+    freeMaps();
+}
+
+/// Keeps which maps there are, and nothing of theirs on the GPU.
+void Engine::freeMaps() {
+    for (ReceiverMaps& maps : _maps) {
+        ReceiverMaps empty;
+        empty.receiver = maps.receiver;
+        empty.light = maps.light;
+        empty.facings = std::move(maps.facings);
+        empty.box = maps.box;
+        empty.level.facing = maps.level.facing;
+        maps = std::move(empty);
+    }
+    _lights.clear();
+    _lights.resize(_scene.lights.size());
+    _drawnPlanes.free();
+    _exactBeams.free();
+    if (_volumetric) _volumetric->free();
+    _staticReady = false;
+    _causticsTime.reset();
 }
 
 /// The map along the light, and one for each way that faces along the light look.

@@ -54,8 +54,9 @@ class Engine {
     /// choices of the scene (camera, extent of the water) are made here.
     void setScene(Scene scene);
     const Scene& scene() const { return _scene; }
-    /// Another method, other maps of the same scene, from the next update on.
-    void setCaustics(const CausticsSettings& settings) { _scene.caustics = settings; }
+    /// Another method or other maps of the same scene. Frees what was made by the settings before; everything
+    /// is made anew at the next update.
+    void setCaustics(const CausticsSettings& settings);
     /// What positions on the GPU are relative to, m: zero unless the scene is far from it.
     const glm::dvec3& origin() const { return _origin; }
     const WaterPatch& waterPatch() const { return _patch; }
@@ -98,6 +99,7 @@ class Engine {
     void slice(LevelMap& map);
     void fill(ReceiverMaps& maps);
     void drawSlices(ReceiverMaps& maps);
+    void freeMaps();
     void addMaps(int light, int receiver);
     void drawSceneDepth(int light);
     bool needsSceneDepth(int light) const;

@@ -42,6 +42,32 @@ TEST_F(ReadbackGLTest, planeHistogramHasTheTexelsOfEachPlane) {
         << "a sphere alone shades nothing that the light sees";
 }
 
+// Memory by kind is what the method at hand takes, not what ran before it.
+TEST_F(ReadbackGLTest, otherSettingsLeaveNothingOfTheOnesBefore) {
+    Scene scene = sphere();
+    const auto bytes = [](Engine& engine) {
+        engine.updateCaustics(0);
+        return context().ledger().byKind();
+    };
+    const auto before = context().ledger().byKind();
+    std::map<Method, std::map<std::string, std::int64_t, std::less<>>> alone;
+    for (const Method method : allMethods()) {
+        scene.caustics.method = method;
+        Engine engine(context());
+        engine.setScene(scene);
+        alone[method] = bytes(engine);
+        EXPECT_NE(alone[method], before);
+    }
+    EXPECT_EQ(context().ledger().byKind(), before);
+    Engine engine(context());
+    engine.setScene(scene);
+    for (const Method method : allMethods()) {
+        scene.caustics.method = method;
+        engine.setCaustics(scene.caustics);
+        EXPECT_EQ(bytes(engine), alone[method]) << methodName(method);
+    }
+}
+
 TEST_F(ReadbackGLTest, otherSettingsOfTheSameSceneAreThoseOfAFreshOne) {
     Engine engine(context());
     engine.setScene(sphere());
