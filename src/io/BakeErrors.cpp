@@ -105,4 +105,22 @@ std::vector<MapPair> pairMaps(const Bake& a, const Bake& b, const std::string& n
     return pairs;
 }
 
+ImageErrors bakeErrors(const Bake& a, const Bake& b, const std::string& nameA, const std::string& nameB) {
+    std::vector<float> valuesA, valuesB, mask, area;
+    const auto append = [](std::vector<float>& to, const std::vector<float>& from) {
+        to.insert(to.end(), from.begin(), from.end());
+    };
+    double white = 0, compared = 0;
+    for (const MapPair& pair : pairMaps(a, b, nameA, nameB)) {
+        append(valuesA, pair.a->irradiance);
+        append(valuesB, pair.b->irradiance);
+        append(mask, pair.mask);
+        append(area, pair.area);
+        const auto own = double(std::count(pair.mask.begin(), pair.mask.end(), 1.0f));
+        white += own * pair.white;
+        compared += own;
+    }
+    return imageErrors({valuesA, valuesB, mask, area, 0, compared > 0 ? white / compared : 1});
+}
+
 } // namespace limpid::io

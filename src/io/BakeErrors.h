@@ -27,6 +27,9 @@ struct MapPair {
 std::vector<MapPair> pairMaps(const Bake& a, const Bake& b, const std::string& nameA,
                               const std::string& nameB);
 
+/// The figures over the texels of all maps together. Throws as pairMaps does.
+ImageErrors bakeErrors(const Bake& a, const Bake& b, const std::string& nameA, const std::string& nameB);
+
 /// "floor in sun", with its facing if it has one.
 std::string mapTitle(const BakedMap& map);
 

@@ -184,6 +184,13 @@ void TomlTable::text(std::string_view key, std::string& value, std::string_view 
     value = node->as_string()->get();
 }
 
+void TomlTable::flag(std::string_view key, bool& value) {
+    const toml::node* node = find(key);
+    if (!node) return;
+    if (!node->is_boolean()) fail(key, "true or false");
+    value = node->as_boolean()->get();
+}
+
 std::size_t TomlTable::choice(std::string_view key, std::span<const std::string_view> names,
                               std::string_view remark) {
     const toml::node* node = find(key);

@@ -57,6 +57,9 @@ class TomlTable {
 
     bool has(std::string_view key);
 
+    /// For values that none of the reads below fits; null if the key is absent.
+    const toml::node* value(std::string_view key) { return find(key); }
+
     void number(std::string_view key, double& value, const Range& range);
     void numbers(std::string_view key, std::span<double> values, const Range& range);
     void wholeNumber(std::string_view key, std::int64_t& value, std::int64_t min, std::int64_t max);
@@ -89,6 +92,8 @@ class TomlTable {
 
     /// An array of tables; their paths end in the entry's name where it has one, else in its number.
     std::vector<TomlTable> tables(std::string_view key, std::size_t limit);
+
+    void flag(std::string_view key, bool& value);
 
     /// Throws InputError for the first key that was never asked for. `kind` completes "unknown key".
     void finish(std::string_view kind = {}) const;

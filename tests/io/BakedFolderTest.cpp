@@ -150,6 +150,16 @@ TEST(BakeErrorsTest, doNotDependOnTheUnitOfLight) {
     EXPECT_DOUBLE_EQ(errors.nmae, bright.nmae);
 }
 
+TEST(BakeErrorsTest, ofAllMapsAreOfAllTheirTexels) {
+    Bake a = bakeOf({floorMap(1, 2), floorMap(3, 4)}), b = bakeOf({floorMap(1, 2), floorMap(3, 2)});
+    a.maps[1].facing = b.maps[1].facing = 1;
+    const ImageErrors errors = bakeErrors(a, b, "A", "B");
+    EXPECT_EQ(errors.pixels, 4u);
+    EXPECT_DOUBLE_EQ(errors.nmae, 2.0 / 8);
+    EXPECT_EQ(errors.largest, 2);
+    EXPECT_DOUBLE_EQ(errors.fluxRatio, 10.0 / 8);
+}
+
 TEST(BakeErrorsTest, askForTheSameMapsAndTexels) {
     const TempFolder folder;
     const Bake b = bakeOf({floorMap(1, 2)});
