@@ -1,0 +1,60 @@
+#include "scene/Fingerprint.h"
+
+#include <functional>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "scene/Shapes.h"
+
+namespace limpid {
+namespace {
+
+Scene floorScene() {
+    Scene scene;
+    scene.lights.emplace_back();
+    scene.water.waves.emplace_back();
+    Receiver& floor = scene.receivers.emplace_back();
+    floor.mesh = std::make_shared<const Mesh>(makePlane(glm::dvec2(2), glm::vec3(0.8f)));
+    return scene;
+}
+
+TEST(LightFingerprint, changesWithWhateverLightDependsOn) {
+    const std::function<void(Scene&)> changes[] = {
+        [](Scene&) {},
+        [](Scene& s) { s.water.level += 0.1; },
+        [](Scene& s) { s.water.absorption.z = 0.1; },
+        [](Scene& s) { s.water.waves[0].phase = 1; },
+        [](Scene& s) { s.water.waves.emplace_back(); },
+        [](Scene& s) { s.lights[0].direction.x = 0.1; },
+        [](Scene& s) { s.lights.emplace_back(); },
+        [](Scene& s) { s.receivers[0].translation.y = -1; },
+        [](Scene& s) { s.receivers[0].rotation.x = 0.1; },
+        [](Scene& s) {
+            s.receivers[0].mesh = std::make_shared<const Mesh>(makePlane(glm::dvec2(3), glm::vec3(0.8f)));
+        },
+        [](Scene& s) {
+            Mesh mesh = *s.receivers[0].mesh;
+            mesh.materials[0].alphaMode = AlphaMode::Mask;
+            s.receivers[0].mesh = std::make_shared<const Mesh>(mesh);
+        },
+    };
+    std::set<std::uint64_t> prints;
+    for (const auto& change : changes) {
+        Scene scene = floorScene();
+        change(scene);
+        EXPECT_TRUE(prints.insert(lightFingerprint(scene)).second) << prints.size();
+    }
+}
+
+TEST(LightFingerprint, doesNotCareForTheMethodOrTheCamera) {
+    Scene scene = floorScene();
+    const std::uint64_t before = lightFingerprint(scene);
+    scene.caustics.planes = 3;
+    scene.camera.exposure = 2;
+    scene.water.grid = {8, 8};
+    EXPECT_EQ(lightFingerprint(scene), before);
+}
+
+} // namespace
+} // namespace limpid
