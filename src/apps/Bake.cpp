@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
+#include "apps/BakedMaps.h"
 #include "apps/Common.h"
 #include "engine/Engine.h"
-#include "engine/Readback.h"
 #include "io/BakedFolder.h"
 
 namespace limpid::apps {
@@ -14,25 +14,6 @@ struct BakeOptions {
     std::string output;
     double time = 0;
 };
-
-io::BakedMap bakedMap(const Engine& engine, const ReceiverMaps& maps) {
-    MapData data = readMaps(maps, engine.origin());
-    io::BakedMap baked;
-    baked.receiver = engine.scene().receivers[std::size_t(maps.receiver)].name;
-    baked.light = engine.scene().lights[std::size_t(maps.light)].name;
-    baked.size = data.size;
-    baked.irradiance = std::move(data.irradiance);
-    baked.position = std::move(data.position);
-    baked.normal = std::move(data.normal);
-    TexelFrame frame = maps.level.frame;
-    frame.box.corner -= engine.origin();
-    baked.worldToTexture = frame.worldToTexture();
-    baked.facing = maps.level.facing;
-    baked.planesRequested = maps.level.requestedPlanes;
-    baked.planesDrawn = int(maps.level.planes.size());
-    baked.deposited = data.deposited;
-    return baked;
-}
 
 io::BakedLight bakedLight(Engine& engine, int index, const std::vector<io::BakedMap>& maps) {
     FluxBalance flux = engine.auditFlux(index);
@@ -72,8 +53,7 @@ void bake(const BakeOptions& options) {
     result.method = methodName(engine.scene().caustics.method);
     result.time = options.time;
     result.origin = engine.origin();
-    for (const ReceiverMaps& maps : engine.maps())
-        result.maps.push_back(bakedMap(engine, maps));
+    result.maps = bakedMaps(engine);
     for (int light = 0; light < int(engine.scene().lights.size()); ++light)
         result.lights.push_back(bakedLight(engine, light, result.maps));
     io::writeBake(options.output, result);

@@ -2,8 +2,10 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include "core/Error.h"
 #include "engine/Warnings.h"
@@ -89,6 +91,17 @@ void printWork(Engine& engine, gl::Context& context) {
         fmt::print("  {:<18} {:10.2f} MiB\n", kind, double(bytes) / (1 << 20));
     fmt::print("  {:<18} {:10.2f} MiB, at most {:.2f} MiB\n", "total",
                double(context.ledger().total()) / (1 << 20), double(context.ledger().peak()) / (1 << 20));
+}
+
+bool onPath(const std::string& program) {
+    const char* path = std::getenv("PATH");
+    std::string_view rest = path ? path : "";
+    while (!rest.empty()) {
+        const std::string_view folder = rest.substr(0, rest.find(':'));
+        if (access(fmt::format("{}/{}", folder, program).c_str(), X_OK) == 0) return true;
+        rest.remove_prefix(std::min(rest.size(), folder.size() + 1));
+    }
+    return false;
 }
 
 } // namespace limpid::apps

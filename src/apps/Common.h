@@ -44,6 +44,9 @@ void printWarnings(const Engine& engine, const CommonOptions& options);
 /// GPU time by pass, planes, GPU bytes by kind, on stdout.
 void printWork(Engine& engine, gl::Context& context);
 
+/// Whether a program of that name is on the path.
+bool onPath(const std::string& program);
+
 /// Ends the program with `code` after it has said why.
 struct Exit {
     int code = 0;
@@ -52,6 +55,7 @@ struct Exit {
 void addRender(CLI::App& app);
 void addBake(CLI::App& app);
 void addCompare(CLI::App& app);
+void addProfile(CLI::App& app);
 void addInfo(CLI::App& app);
 
 } // namespace limpid::apps

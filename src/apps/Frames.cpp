@@ -9,6 +9,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "apps/Common.h"
 #include "core/Error.h"
 
 namespace limpid::apps {
@@ -18,17 +19,6 @@ namespace {
 bool parseNumber(std::string_view text, int& value) {
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     return error == std::errc() && end == text.data() + text.size() && value >= 0 && value <= 9999999;
-}
-
-bool onPath(const std::string& program) {
-    const char* path = std::getenv("PATH");
-    std::string_view rest = path ? path : "";
-    while (!rest.empty()) {
-        const std::string_view folder = rest.substr(0, rest.find(':'));
-        if (access(fmt::format("{}/{}", folder, program).c_str(), X_OK) == 0) return true;
-        rest.remove_prefix(std::min(rest.size(), folder.size() + 1));
-    }
-    return false;
 }
 
 } // namespace

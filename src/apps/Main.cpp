@@ -23,6 +23,7 @@ int run(int argc, char** argv) {
     limpid::apps::addRender(app);
     limpid::apps::addBake(app);
     limpid::apps::addCompare(app);
+    limpid::apps::addProfile(app);
     limpid::apps::addInfo(app);
     try {
         app.parse(argc, argv);
@@ -39,11 +40,10 @@ int run(int argc, char** argv) {
             return 2;
         }
         if (app.get_subcommands().empty())
-            return fail(
-                2, fmt::format(
-                       "expected a command (render, bake, compare, info), found \"{}\" (see limpid --help)",
-                       argv[1])
-                       .c_str());
+            return fail(2, fmt::format("expected a command (render, bake, compare, profile, info), found "
+                                       "\"{}\" (see limpid --help)",
+                                       argv[1])
+                               .c_str());
         return fail(2, fmt::format("{} (see limpid --help)", error.what()).c_str());
     }
     // A full disk behind a redirection shows only now.

@@ -123,4 +123,18 @@ ImageErrors bakeErrors(const Bake& a, const Bake& b, const std::string& nameA, c
     return imageErrors({valuesA, valuesB, mask, area, 0, compared > 0 ? white / compared : 1});
 }
 
+std::optional<double> standardError(const Bake& truth) {
+    // Absolute errors add up; each map's is given over its own mean.
+    double errors = 0, light = 0;
+    for (const BakedMap& map : truth.maps) {
+        if (!map.standardError) return std::nullopt;
+        double sum = 0;
+        for (const float value : map.irradiance)
+            if (std::isfinite(value)) sum += value;
+        errors += *map.standardError * sum;
+        light += sum;
+    }
+    return light > 0 ? std::optional(errors / light) : std::nullopt;
+}
+
 } // namespace limpid::io

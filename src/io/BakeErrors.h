@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,10 @@ std::vector<MapPair> pairMaps(const Bake& a, const Bake& b, const std::string& n
 
 /// The figures over the texels of all maps together. Throws as pairMaps does.
 ImageErrors bakeErrors(const Bake& a, const Bake& b, const std::string& nameA, const std::string& nameB);
+
+/// The nMAE over the texels of all maps together that chance alone may make, where `truth` knows it of each
+/// map.
+std::optional<double> standardError(const Bake& truth);
 
 /// "floor in sun", with its facing if it has one.
 std::string mapTitle(const BakedMap& map);

@@ -160,6 +160,14 @@ TEST(BakeErrorsTest, ofAllMapsAreOfAllTheirTexels) {
     EXPECT_DOUBLE_EQ(errors.fluxRatio, 10.0 / 8);
 }
 
+TEST(BakeErrorsTest, knowWhatChanceMayMakeOfAllMaps) {
+    Bake truth = bakeOf({floorMap(1, 2), floorMap(3, 6)});
+    truth.maps[0].standardError = 0.01;
+    EXPECT_FALSE(standardError(truth)) << "not of every map";
+    truth.maps[1].standardError = 0.005;
+    EXPECT_DOUBLE_EQ(standardError(truth).value(), (0.01 * 3 + 0.005 * 9) / 12);
+}
+
 TEST(BakeErrorsTest, askForTheSameMapsAndTexels) {
     const TempFolder folder;
     const Bake b = bakeOf({floorMap(1, 2)});
