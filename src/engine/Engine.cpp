@@ -7,6 +7,7 @@
 
 #include "core/Error.h"
 #include "engine/Framing.h"
+#include "levelmap/MapPlan.h"
 #include "water/FlatWater.h"
 #include "water/WaveTerms.h"
 
@@ -15,14 +16,6 @@ namespace limpid {
 namespace {
 
 using Scope = gl::PassTimers::Scope;
-
-/// Float positions keep micrometres within a few hundred sizes of the scene from zero; beyond, they are
-/// counted from its middle.
-glm::dvec3 chooseOrigin(const Bounds& bounds) {
-    if (bounds.empty()) return glm::dvec3(0);
-    const double size = std::max(glm::length(bounds.size()), 1e-9);
-    return glm::length(bounds.center()) > 16 * size ? glm::round(bounds.center()) : glm::dvec3(0);
-}
 
 /// As texelFrame has it.
 bool isFlat(const OrientedBox& box) {
@@ -69,7 +62,7 @@ Engine::Engine(gl::Context& context)
 void Engine::setScene(Scene scene) {
     _scene = std::move(scene);
     frameCamera(_scene);
-    _origin = chooseOrigin(worldBounds(_scene));
+    _origin = sceneOrigin(_scene);
     _patch = coveringPatch(_scene);
     requireGrid(_patch.grid, _context.info());
     requirePlanes(_scene.caustics, _context.info());
@@ -84,9 +77,16 @@ void Engine::setScene(Scene scene) {
     }
     _maps.clear();
     freeMaps();
-    for (std::size_t light = 0; light < _lights.size(); ++light)
-        for (std::size_t receiver = 0; receiver < _receivers.size(); ++receiver)
-            addMaps(int(light), int(receiver));
+    for (PlannedMap& planned : planMaps(_scene, _submerged)) {
+        ReceiverMaps& maps = _maps.emplace_back();
+        maps.light = planned.light;
+        maps.receiver = planned.receiver;
+        maps.facings = std::move(planned.facings);
+        maps.box = planned.box;
+        maps.gradients = depthGradients(_scene.receivers[std::size_t(maps.receiver)], maps.box, *maps.facings,
+                                        planned.facing, _scene.water.level);
+        maps.level.facing = planned.facing;
+    }
 }
 
 void Engine::setCaustics(const CausticsSettings& settings) {
@@ -103,6 +103,7 @@ void Engine::freeMaps() {
         empty.light = maps.light;
         empty.facings = std::move(maps.facings);
         empty.box = maps.box;
+        empty.gradients = maps.gradients;
         empty.level.facing = maps.level.facing;
         maps = std::move(empty);
     }
@@ -113,33 +114,6 @@ void Engine::freeMaps() {
     if (_volumetric) _volumetric->free();
     _staticReady = false;
     _causticsTime.reset();
-}
-
-/// The map along the light, and one for each way that faces along the light look.
-void Engine::addMaps(int light, int receiver) {
-    const auto& points = _submerged[std::size_t(receiver)];
-    if (points.empty()) return;
-    Bounds bounds;
-    for (const glm::dvec3& p : points)
-        bounds.add(p);
-    const glm::dvec3 direction =
-        meanDirection(_scene.lights[std::size_t(light)], _scene.water, bounds.center());
-    const auto facings = std::make_shared<const Facings>(
-        findFacings(_scene.receivers[std::size_t(receiver)], direction, _scene.water.level,
-                    _receivers[std::size_t(receiver)].closed()));
-    for (int facing = 0; facing <= 4; ++facing) {
-        if (facing > 0 && !facings->used[std::size_t(facing - 1)]) continue;
-        ReceiverMaps& maps = _maps.emplace_back();
-        maps.light = light;
-        maps.receiver = receiver;
-        maps.facings = facings;
-        maps.level.facing = facing;
-        maps.box = facing > 0 ? tightBox(facings->points[std::size_t(facing - 1)],
-                                         facings->viewDirection(facing - 1))
-                              : tightBox(points, direction);
-        maps.gradients = depthGradients(_scene.receivers[std::size_t(receiver)], maps.box, *facings, facing,
-                                        _scene.water.level);
-    }
 }
 
 void Engine::updateCaustics(double time) {
@@ -237,20 +211,10 @@ const SceneDepth* Engine::sceneDepthOf(const ReceiverMaps& maps) const {
     return sceneDepth.first.id() ? &sceneDepth : nullptr;
 }
 
-/// Further maps are lit by beams that run along them, each over many texels; finer than a quarter of the
-/// water's quads there is nothing to see in them.
-int Engine::mapSizeOf(const ReceiverMaps& maps) const {
-    const int asked = _scene.caustics.mapSize;
-    if (maps.level.facing == 0) return asked;
-    const glm::dvec2 quad = _patch.size / glm::dvec2(_patch.grid);
-    const double longer = std::max(maps.box.extent.x, maps.box.extent.y);
-    return int(std::clamp(std::ceil(4 * longer / std::min(quad.x, quad.y)), 1.0, double(asked)));
-}
-
 void Engine::prepareMaps(ReceiverMaps& maps) {
-    prepareLevelMap(
-        _context, maps.level,
-        {maps.box, *maps.facings, maps.gradients, mapSizeOf(maps), _scene.caustics.planes, _origin});
+    prepareLevelMap(_context, maps.level,
+                    {maps.box, *maps.facings, maps.gradients,
+                     mapSize(_scene, _patch, maps.box, maps.level.facing), _scene.caustics.planes, _origin});
 }
 
 LitReceiver Engine::litReceiver(const ReceiverMaps& maps) const {

@@ -90,7 +90,6 @@ class Engine {
     void updateLight(int light);
     void updateStatic();
     void updateReceiver(ReceiverMaps& maps);
-    int mapSizeOf(const ReceiverMaps& maps) const;
     void prepareMaps(ReceiverMaps& maps);
     LitReceiver litReceiver(const ReceiverMaps& maps) const;
     void drawLevelMap(ReceiverMaps& maps);
@@ -100,7 +99,6 @@ class Engine {
     void fill(ReceiverMaps& maps);
     void drawSlices(ReceiverMaps& maps);
     void freeMaps();
-    void addMaps(int light, int receiver);
     void drawSceneDepth(int light);
     bool needsSceneDepth(int light) const;
 

@@ -1,0 +1,59 @@
+#include "levelmap/MapPlan.h"
+
+#include <algorithm>
+
+#include "water/FlatWater.h"
+
+namespace limpid {
+
+namespace {
+
+/// The map along the light, and one for each way that faces along the light look.
+void planReceiver(std::vector<PlannedMap>& plan, const Scene& scene, int receiver, int light, bool solid,
+                  std::span<const glm::dvec3> submerged) {
+    Bounds bounds;
+    for (const glm::dvec3& p : submerged)
+        bounds.add(p);
+    const glm::dvec3 direction =
+        meanDirection(scene.lights[std::size_t(light)], scene.water, bounds.center());
+    const auto facings = std::make_shared<const Facings>(
+        findFacings(scene.receivers[std::size_t(receiver)], direction, scene.water.level, solid));
+    plan.push_back({receiver, light, 0, facings, tightBox(submerged, facings->light)});
+    for (int k = 0; k < 4; ++k)
+        if (facings->used[std::size_t(k)])
+            plan.push_back({receiver, light, k + 1, facings,
+                            tightBox(facings->points[std::size_t(k)], facings->viewDirection(k))});
+}
+
+} // namespace
+
+std::vector<PlannedMap> planMaps(const Scene& scene, std::span<const std::vector<glm::dvec3>> submerged) {
+    std::vector<PlannedMap> plan;
+    std::vector<bool> solid;
+    for (const Receiver& receiver : scene.receivers)
+        solid.push_back(isSolid(receiver));
+    for (std::size_t light = 0; light < scene.lights.size(); ++light)
+        for (std::size_t receiver = 0; receiver < scene.receivers.size(); ++receiver)
+            if (!submerged[receiver].empty())
+                planReceiver(plan, scene, int(receiver), int(light), solid[receiver], submerged[receiver]);
+    return plan;
+}
+
+int mapSize(const Scene& scene, const WaterPatch& patch, const OrientedBox& box, int facing) {
+    const int asked = scene.caustics.mapSize;
+    if (facing == 0) return asked;
+    const glm::dvec2 quad = patch.size / glm::dvec2(patch.grid);
+    const double longer = std::max(box.extent.x, box.extent.y);
+    return int(std::clamp(std::ceil(4 * longer / std::min(quad.x, quad.y)), 1.0, double(asked)));
+}
+
+glm::dvec3 sceneOrigin(const Scene& scene) {
+    const Bounds bounds = worldBounds(scene);
+    if (bounds.empty()) return glm::dvec3(0);
+    // Float positions keep micrometres within a few hundred sizes of the scene from zero; beyond, they are
+    // counted from its middle.
+    const double size = std::max(glm::length(bounds.size()), 1e-9);
+    return glm::length(bounds.center()) > 16 * size ? glm::round(bounds.center()) : glm::dvec3(0);
+}
+
+} // namespace limpid

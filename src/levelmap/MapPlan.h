@@ -1,0 +1,34 @@
+#pragma once
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/OrientedBox.h"
+#include "levelmap/Facings.h"
+#include "scene/Scene.h"
+#include "water/FlatWater.h"
+
+/// Which maps a scene has and how each of them looks at its receiver. Decided without a GPU, so that whatever
+/// else computes light for the same scene does it on the very same texels.
+namespace limpid {
+
+struct PlannedMap {
+    int receiver = 0;
+    int light = 0;
+    int facing = 0;                         ///< 0 the map along the light; k the further map of axis k - 1
+    std::shared_ptr<const Facings> facings; ///< of this receiver and light
+    OrientedBox box;                        ///< in the world
+};
+
+/// One for each light and each receiver that reaches into the water, lights outermost; after it, one for each
+/// of its further maps. `submerged`: of each receiver, the points of its part below the level, in the world.
+std::vector<PlannedMap> planMaps(const Scene& scene, std::span<const std::vector<glm::dvec3>> submerged);
+
+/// Texels on the longer side of a map. Further maps are lit by beams that run along them, each over many
+/// texels; finer than a quarter of the water's quads there is nothing to see in them.
+int mapSize(const Scene& scene, const WaterPatch& patch, const OrientedBox& box, int facing);
+
+/// What positions in single precision are relative to, m: zero unless the scene is far from it.
+glm::dvec3 sceneOrigin(const Scene& scene);
+
+} // namespace limpid
