@@ -44,6 +44,25 @@ void addStarts(Bounds& starts, const Light& light, const Water& water, const glm
     }
 }
 
+/// The light and, of a sun's disc, lights all around its rim.
+std::vector<Light> partsOf(const Light& light) {
+    std::vector<Light> parts{light};
+    if (light.type != LightType::Directional || light.angularDiameter <= 0) return parts;
+    constexpr int sides = 8;
+    const glm::dvec3 middle = glm::normalize(light.direction);
+    const glm::dvec3 helper = std::abs(middle.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 0, 1);
+    const glm::dvec3 right = glm::normalize(glm::cross(helper, middle)), down = glm::cross(middle, right);
+    // The disc lies within the polygon.
+    const double radius =
+        std::tan(0.5 * glm::radians(light.angularDiameter)) / std::cos(std::numbers::pi / sides);
+    for (int i = 0; i < sides; ++i) {
+        const double turn = 2 * std::numbers::pi * i / sides;
+        parts.push_back(light);
+        parts.back().direction = middle + radius * (std::cos(turn) * right + std::sin(turn) * down);
+    }
+    return parts;
+}
+
 /// The points of a box that the outermost rays of a light may go to: its corners, and for a lamp beside a
 /// long box the places nearest to it, whose rays enter further out.
 std::vector<glm::dvec3> outermost(const Bounds& box, const Light& light) {
@@ -97,8 +116,9 @@ WaterPatch coveringPatch(const Scene& scene) {
     if (!wet.empty() && wet.min.y < water.level) {
         const auto normals = possibleNormals(steepestSlope(water));
         for (const Light& light : scene.lights)
-            for (const glm::dvec3& point : outermost(wet, light))
-                if (entersWater(light, water)) addStarts(starts, light, water, point, normals);
+            for (const Light& part : partsOf(light))
+                for (const glm::dvec3& point : outermost(wet, light))
+                    if (entersWater(part, water)) addStarts(starts, part, water, point, normals);
         starts.add({wet.min.x, water.level, wet.min.z}), starts.add({wet.max.x, water.level, wet.max.z});
     } else {
         starts.add({-1, 0, -1}), starts.add({1, 0, 1});

@@ -72,6 +72,21 @@ TEST(CoveringPatch, holdsEveryStartOfARayToTheReceivers) {
         }
 }
 
+TEST(CoveringPatch, holdsWhatComesFromTheSunsRim) {
+    Scene scene;
+    scene.receivers = {scenes::floorAt(-1)};
+    scene.lights = {scenes::sunAt(50)};
+    const double small = coveringPatch(scene).size.x;
+    scene.lights[0].angularDiameter = 10;
+    const WaterPatch patch = coveringPatch(scene);
+    EXPECT_GT(patch.size.x, small);
+    for (const double degrees : {45.0, 55.0}) {
+        const glm::dvec3 t = refractedAt(scenes::sunAt(degrees), scene.water, {});
+        for (const double side : {-1.0, 1.0})
+            EXPECT_LE(std::abs(side - t.x / -t.y - patch.center.x), 0.5 * patch.size.x);
+    }
+}
+
 TEST(CoveringPatch, reachesALampBesideALongReceiver) {
     // The nearest place of a long floor is lit from further out than any of its corners.
     Scene scene;
