@@ -29,7 +29,8 @@ const std::map<std::string, Strings> mayInclude = {
     {"caustics", {"core", "gl", "scene", "water", "levelmap"}},
     {"view", {"core", "gl", "scene", "water", "levelmap", "caustics"}},
     {"engine", {"core", "gl", "scene", "water", "levelmap", "caustics", "view"}},
-    {"apps", {"core", "gl", "scene", "io", "water", "levelmap", "caustics", "view", "engine"}},
+    {"reference", {"core", "scene", "io"}},
+    {"apps", {"core", "gl", "scene", "io", "water", "levelmap", "caustics", "view", "engine", "reference"}},
 };
 
 const Strings sourceFolders = {"src", "shaders", "tests", "models", "profiles/bench"};
