@@ -29,12 +29,7 @@ void printBake(const io::Bake& bake) {
     for (const io::BakedMap& map : bake.maps)
         fmt::print("{} in {}: {} x {} texels, {} of {} planes, {:.6g} W\n", map.receiver, map.light,
                    map.size.x, map.size.y, map.planesDrawn, map.planesRequested, map.deposited);
-    for (const io::BakedLight& light : bake.lights)
-        fmt::print(
-            "{}: {:.6g} W enter; {:.6g} deposited, {:.6g} absorbed, {:.6g} scattered, {:.6g} missed, {:.6g} "
-            "rejected; residual {:.3g} ({:.3f} %)\n",
-            light.light, light.entering, light.deposited, light.absorbed, light.scattered, light.missed,
-            light.rejected, light.residual, light.entering > 0 ? 100 * light.residual / light.entering : 0.0);
+    printFlux(bake);
 }
 
 void bake(const BakeOptions& options) {

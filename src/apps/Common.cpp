@@ -79,6 +79,15 @@ void printWarnings(const Engine& engine, const CommonOptions& options) {
         fmt::print(stderr, "limpid: warning: {}\n", warning);
 }
 
+void printFlux(const io::Bake& bake) {
+    for (const io::BakedLight& light : bake.lights)
+        fmt::print(
+            "{}: {:.6g} W enter; {:.6g} deposited, {:.6g} absorbed, {:.6g} scattered, {:.6g} missed, {:.6g} "
+            "rejected; residual {:.3g} ({:.3f} %)\n",
+            light.light, light.entering, light.deposited, light.absorbed, light.scattered, light.missed,
+            light.rejected, light.residual, light.entering > 0 ? 100 * light.residual / light.entering : 0.0);
+}
+
 void printWork(Engine& engine, gl::Context& context) {
     fmt::print("GPU: {}\n", context.info().renderer);
     for (const auto& [pass, ms] : engine.timers().collect())

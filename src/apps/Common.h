@@ -7,6 +7,7 @@
 
 #include "engine/Engine.h"
 #include "gl/Context.h"
+#include "io/BakedFolder.h"
 #include "io/SceneFile.h"
 
 namespace limpid::apps {
@@ -52,10 +53,14 @@ struct Exit {
     int code = 0;
 };
 
+/// Where each light went, on stdout.
+void printFlux(const io::Bake& bake);
+
 void addRender(CLI::App& app);
 void addBake(CLI::App& app);
 void addCompare(CLI::App& app);
 void addProfile(CLI::App& app);
 void addInfo(CLI::App& app);
+void addReference(CLI::App& app); ///< in builds with LIMPID_REFERENCE
 
 } // namespace limpid::apps

@@ -14,6 +14,13 @@ int fail(int code, const char* what) {
     return code;
 }
 
+std::string commandNames(const CLI::App& app) {
+    std::string names;
+    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+        names += (names.empty() ? "" : ", ") + command->get_name();
+    return names;
+}
+
 int run(int argc, char** argv) {
     CLI::App app("Light through moving water: caustics on glTF receivers.", "limpid");
     app.require_subcommand(1);
@@ -25,6 +32,9 @@ int run(int argc, char** argv) {
     limpid::apps::addCompare(app);
     limpid::apps::addProfile(app);
     limpid::apps::addInfo(app);
+#ifdef LIMPID_WITH_REFERENCE
+    limpid::apps::addReference(app);
+#endif
     try {
         app.parse(argc, argv);
     } catch (const CLI::ExtrasError&) {
@@ -40,9 +50,8 @@ int run(int argc, char** argv) {
             return 2;
         }
         if (app.get_subcommands().empty())
-            return fail(2, fmt::format("expected a command (render, bake, compare, profile, info), found "
-                                       "\"{}\" (see limpid --help)",
-                                       argv[1])
+            return fail(2, fmt::format("expected a command ({}), found \"{}\" (see limpid --help)",
+                                       commandNames(app), argv[1])
                                .c_str());
         return fail(2, fmt::format("{} (see limpid --help)", error.what()).c_str());
     }

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -19,13 +20,14 @@ struct BakedMap {
     int facing = 0; ///< 0 the map along the light, else a further map for faces along it
     int planesRequested = 0, planesDrawn = 0;
     double deposited = 0; ///< W
-    /// References only: how far chance alone may put this map from the truth, as a share of its mean (nMAE).
+    /// Of `reference`: the nMAE (mean absolute error over the mean) that a perfect map would show against
+    /// this one, from the spread of independent estimates. A difference below it is no error.
     std::optional<double> standardError;
 };
 
 struct BakedLight {
     std::string light;
-    int beams = 0, beamsDrawn = 0;
+    std::int64_t beams = 0, beamsDrawn = 0;
     double entering = 0, absorbed = 0, scattered = 0, deposited = 0, missed = 0, rejected = 0,
            residual = 0; ///< W
 };

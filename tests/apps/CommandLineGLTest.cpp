@@ -102,11 +102,47 @@ TEST_F(CommandLineGLTest, bakeWritesTheContract) {
     }
 }
 
+#ifdef LIMPID_WITH_REFERENCE
+TEST_F(CommandLineGLTest, referenceWritesTheMapsOfBake) {
+    const Result baked = run("bake " + models("box.glb") + " -o " + path("maps") + quick);
+    ASSERT_EQ(baked.code, 0) << baked.out;
+    const std::string command = "reference " + models("box.glb") + " --photons 20000 --quiet" + quick;
+    const Result traced = run(command + " -o " + path("truth"));
+    ASSERT_EQ(traced.code, 0) << traced.out;
+    EXPECT_EQ(traced.out, "") << "--quiet";
+    const auto bake = nlohmann::json::parse(std::ifstream(path("maps/index.json")));
+    const auto truth = nlohmann::json::parse(std::ifstream(path("truth/index.json")));
+    EXPECT_EQ(truth["method"], "reference");
+    EXPECT_GE(truth["lights"][0]["beams"], 20000);
+    ASSERT_EQ(truth["maps"].size(), bake["maps"].size());
+    for (std::size_t i = 0; i < bake["maps"].size(); ++i) {
+        const auto &a = bake["maps"][i], &b = truth["maps"][i];
+        EXPECT_GT(b["standard_error"], 0);
+        for (const char* key :
+             {"receiver", "light", "size", "irradiance", "position", "normal", "world_to_texture"})
+            EXPECT_EQ(a[key], b[key]);
+        const auto p = io::readImage(folder.path() / "maps" / std::string(a["position"]));
+        const auto q = io::readImage(folder.path() / "truth" / std::string(b["position"]));
+        int differing = 0;
+        for (std::size_t k = 0; k < p.data.size(); k += 4) {
+            if (p.data[k + 3] != q.data[k + 3]) ++differing;
+            if (p.data[k + 3] != 1 || q.data[k + 3] != 1) continue;
+            // A float holds 1e-7 of a depth of a metre; the rasteriser's grid is 1/256 of a texel.
+            for (std::size_t c = 0; c < 3; ++c)
+                EXPECT_NEAR(p.data[k + c], q.data[k + c], 1e-3);
+        }
+        EXPECT_LE(differing, 8) << "texels whose middle lies on an edge";
+    }
+    EXPECT_EQ(run(command + " --threads 1 -o " + path("again")).code, 0);
+    EXPECT_EQ(truth, nlohmann::json::parse(std::ifstream(path("again/index.json"))));
+}
+#endif
+
 TEST_F(CommandLineGLTest, wrongUsageIsTwo) {
     const std::string fish = models("fish.glb"), out = " -o " + path("x.png");
     const std::pair<std::string, std::string> cases[] = {
         {"", "Usage: limpid"},
-        {"paint", "expected a command (render, bake, compare, profile, info), found \"paint\""},
+        {"paint", "expected a command (render, bake, compare, profile, info"},
         {"render " + fish + out + " --colour 5", "found \"--colour 5\""},
         {"render " + fish + out + " --planes 0", "expected a whole number from 1 to 4096, found 0"},
         {"bake " + fish + " -o " + path("x") + " --time nan", "--time"},
@@ -123,6 +159,10 @@ TEST_F(CommandLineGLTest, wrongUsageIsTwo) {
         {"render " + fish + out + " --planes -3",
          "--set caustics.planes=-3: expected a whole number from 1 to 4096, found -3"},
         {"bake " + fish + " -o " + fish, "expected a folder to write to, found"},
+#ifdef LIMPID_WITH_REFERENCE
+        {"reference " + fish + " -o " + path("x") + " --photons 0", "--photons: "},
+        {"reference " + fish + " -o " + fish, "expected a folder to write to, found"},
+#endif
     };
     for (const auto& [arguments, expected] : cases) {
         const Result result = run(arguments);
