@@ -25,10 +25,9 @@ reference::TraceJob referenceJob(const Scene& scene, double time) {
     for (const Receiver& receiver : scene.receivers)
         submerged.push_back(pointsOfSide(receiver, scene.water.level, Side::Below));
     for (const PlannedMap& planned : planMaps(scene, submerged)) {
-        const OrientedBox box =
-            mapBox(*planned.facings, planned.facing, submerged[std::size_t(planned.receiver)]);
+        const int size = mapSize(scene, patch, planned.box, planned.facing);
         job.maps.push_back({planned.receiver, planned.light, planned.facing, sortingOf(*planned.facings),
-                            texelFrame(box, scene.caustics.mapSize)});
+                            texelFrame(planned.box, size)});
     }
     return job;
 }
