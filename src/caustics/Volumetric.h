@@ -18,10 +18,10 @@ struct Slices {
 /// Dobashi and Nishita 2003): the receiver is drawn into a slice image for each plane, the caustics are drawn
 /// for each slice and multiplied with it, and the slices are combined.
 ///
-/// A slice knows nothing of those above it, so the underside of a sphere is lit in them like its top. The
-/// thesis does not say how its slices are combined; here a texel of the maps is that of the topmost slice
-/// with surface there, which is what the light sees first, as in every other method. The light of the slices
-/// below it gets into no map.
+/// A slice knows nothing of those above it, so the underside of a sphere is lit in them like its top (alone;
+/// beside other receivers, the test that shades by those darkens it too). The thesis does not say how its
+/// slices are combined; here a texel of the maps is that of the topmost slice with surface there, which is
+/// what the light sees first, as in every other method. The light of the slices below it gets into no map.
 class Volumetric {
   public:
     explicit Volumetric(gl::Context& context);
