@@ -34,6 +34,7 @@ class ExactBeams {
     void free() {
         _footprints.free();
         _sums = {};
+        _largeBeams = {};
     }
 
   private:
