@@ -47,7 +47,6 @@ Json mapJson(const BakedMap& map) {
                  {"world_to_texture", matrix},
                  {"planes", {{"requested", map.planesRequested}, {"drawn", map.planesDrawn}}},
                  {"flux", {{"deposited", map.deposited}}}};
-    if (map.standardError) json["standard_error"] = *map.standardError;
     // The map along the light is what the contract names; further ones say so.
     if (map.facing > 0) json["facing"] = map.facing;
     if (map.standardError) json["standard_error"] = *map.standardError;
