@@ -1,5 +1,9 @@
 #include "apps/ReferenceJob.h"
 
+#include <embree3/rtcore_config.h>
+#include <fmt/format.h>
+
+#include "core/Progress.h"
 #include "levelmap/MapPlan.h"
 #include "levelmap/ReceiverGeometry.h"
 #include "water/FlatWater.h"
@@ -10,6 +14,38 @@ namespace {
 
 reference::FaceSorting sortingOf(const Facings& facings) {
     return {facings.light, Facings::steep, facings.axes, facings.used, facings.sheet};
+}
+
+io::Bake bakeOf(const reference::TraceJob& job, reference::TraceResult result) {
+    io::Bake bake;
+    bake.origin = job.origin;
+    bake.time = job.time;
+    bake.method = "reference";
+    bake.device = fmt::format("CPU, Embree {}", RTC_VERSION_STRING);
+    for (std::size_t i = 0; i < job.maps.size(); ++i) {
+        const reference::MapRequest& request = job.maps[i];
+        reference::TexelMap::Finished& finished = result.maps[i];
+        io::BakedMap& map = bake.maps.emplace_back();
+        map.receiver = job.scene.receivers[std::size_t(request.receiver)].name;
+        map.light = job.scene.lights[std::size_t(request.light)].name;
+        map.size = request.frame.size;
+        map.facing = request.facing;
+        map.irradiance = std::move(finished.irradiance);
+        map.position = std::move(finished.position);
+        map.normal = std::move(finished.normal);
+        TexelFrame frame = request.frame;
+        frame.box.corner -= job.origin;
+        map.worldToTexture = frame.worldToTexture();
+        map.deposited = finished.deposited;
+        map.standardError = finished.standardError;
+    }
+    for (std::size_t i = 0; i < result.lights.size(); ++i) {
+        const reference::TracedLight& light = result.lights[i];
+        bake.lights.push_back({job.scene.lights[i].name, light.photons, light.photons, light.entering,
+                               light.absorbed, light.scattered, light.deposited, light.missed, light.rejected,
+                               light.residual()});
+    }
+    return bake;
 }
 
 } // namespace
@@ -30,6 +66,19 @@ reference::TraceJob referenceJob(const Scene& scene, double time) {
                             texelFrame(planned.box, size)});
     }
     return job;
+}
+
+io::Bake traceBake(const reference::TraceJob& job, reference::TraceOptions how, const std::string& what,
+                   bool quiet) {
+    constexpr int steps = 100;
+    Progress progress(what, steps, !quiet);
+    int shown = 0;
+    how.progress = [&](int done, int total) {
+        const int step = int(std::int64_t(steps) * done / total);
+        if (step > shown) progress.update(step);
+        shown = step;
+    };
+    return bakeOf(job, reference::traceLight(job, how));
 }
 
 } // namespace limpid::apps

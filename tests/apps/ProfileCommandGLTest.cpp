@@ -123,6 +123,38 @@ TEST_F(ProfileCommandGLTest, measuresEveryCombination) {
     }
 }
 
+#ifdef LIMPID_WITH_REFERENCE
+// Under flat water the light is known: E (1 - F) on each face by its slope, and nothing is to be traced
+// finely.
+TEST_F(ProfileCommandGLTest, isJudgedByGroundTruthThatItKeeps) {
+    folder.write("judged.toml", R"(
+scene = "scene.toml"
+methods = ["level-map", "level-map-smart", "exact-beam"]
+set = ["water.wave=[]", "water.grid=[16, 16]"]
+planes = 3
+map_sizes = 24
+frames = 1
+picture = [8, 8]
+reference = 20000)");
+    const std::string command = "profile --quiet " + path("judged.toml") + " -o " + path("out");
+    const Result ran = run(command);
+    ASSERT_EQ(ran.code, 0) << ran.out;
+    const Json first = results()["results"];
+    for (const Json& result : first) {
+        // All of it but the ball's rim, where a texel sees the ball in part: a ring of 2π texels of radius
+        // 12 among 144π, of which a method may lose or double every one.
+        EXPECT_LT(result["error"]["nmae"], 2.0 / 12) << result["method"];
+        EXPECT_GE(result["error"]["standard_error"], 0);
+    }
+    EXPECT_EQ(first[0]["error"], first[1]["error"]) << "smart slicing leaves out work only";
+    const auto kept = std::filesystem::directory_iterator(path("out/references"))->path();
+    const auto written = std::filesystem::last_write_time(kept / "index.json");
+    ASSERT_EQ(run(command).code, 0);
+    EXPECT_EQ(std::filesystem::last_write_time(kept / "index.json"), written) << "traced once";
+    EXPECT_EQ(results()["results"][2]["error"], first[2]["error"]);
+}
+#endif
+
 TEST_F(ProfileCommandGLTest, doesWithoutGnuplotAndTakesModels) {
     const Result ran = run("profile " + path("tiny.toml") + " -o " + path("out") + " --frames 1 --receiver " +
                                LIMPID_ROOT + "/models/box.glb",
