@@ -147,8 +147,8 @@ double CellTracer::extentOf(glm::ivec2 at, int count) const {
 bool CellTracer::agree(const Traced& a, const Traced& b, double extent, double slack) const {
     if (a.fate != b.fate) return false;
     if (a.fate != Fate::Landed) return true;
-    return a.hit.receiver == b.hit.receiver && a.map == b.map && smooth(a, b, extent, slack) &&
-           smooth(b, a, extent, slack);
+    if (a.hit.receiver != b.hit.receiver || a.map != b.map) return false;
+    return !a.map || (smooth(a, b, extent, slack) && smooth(b, a, extent, slack));
 }
 
 /// Whether the face that `a` hit, gone on with, comes close enough to where `b` hit: the footprint between
@@ -158,11 +158,11 @@ bool CellTracer::smooth(const Traced& a, const Traced& b, double extent, double 
     if (std::abs(facing) < 1e-3 || (facing > 0) != (glm::dot(a.hit.normal, a.ray.direction) > 0))
         return false;
     const double step = std::abs(glm::dot(a.hit.normal, b.hit.point - a.hit.point) / facing);
-    if (a.map && glm::distance(a.map->gradient(a.hit.normal), a.map->gradient(b.hit.normal)) > mostCrease)
+    if (glm::distance(a.map->gradient(a.hit.normal), a.map->gradient(b.hit.normal)) > mostCrease)
         return false;
     if (step > slack * 0.5 * extent + 1e-9 * b.hit.distance) return false;
-    return !a.map ||
-           step * glm::length(glm::cross(b.ray.direction, a.map->axis())) <= slack * 0.2 * a.map->texel();
+    const double aside = step * glm::length(glm::cross(b.ray.direction, a.map->axis()));
+    return aside <= slack * 0.2 * a.map->texel();
 }
 
 double CellTracer::groupFlux(glm::ivec2 at, int count) const {
@@ -206,8 +206,8 @@ double CellTracer::cellFlux(glm::ivec2 at, bool upper) const {
 
 /// Everything lands on the face that the map sees best of those that were met, or for a curved receiver on a
 /// sheet through where the corners landed.
-void CellTracer::deposit(glm::ivec2 at, int count, const Traced& sample) {
-    TexelMap& map = *sample.map;
+CellTracer::Landings CellTracer::landingsOf(glm::ivec2 at, int count, const Traced& sample) const {
+    const TexelMap& map = *sample.map;
     std::array<const Traced*, 5> met{&sample};
     for (int i = 0; i < 4; ++i)
         met[std::size_t(i) + 1] = &cornerOf(at + count * glm::ivec2(i % 2, i / 2));
@@ -217,27 +217,30 @@ void CellTracer::deposit(glm::ivec2 at, int count, const Traced& sample) {
     const Hit& face = (*std::max_element(met.begin(), met.end(), [&](const Traced* a, const Traced* b) {
                           return facing(a) < facing(b);
                       }))->hit;
-    const glm::dvec3& normal = face.normal;
     const auto toFace = [&](const Ray& ray) {
-        return glm::dot(normal, face.point - ray.from) / glm::dot(normal, ray.direction);
+        return glm::dot(face.normal, face.point - ray.from) / glm::dot(face.normal, ray.direction);
     };
     std::array<double, 4> lift;
     for (std::size_t i = 0; i < 4; ++i)
         lift[i] = met[i + 1]->hit.distance - toFace(met[i + 1]->ray);
-    std::array<MapPlace, (group + 1) * (group + 1)> places;
-    std::array<glm::dvec3, (group + 1) * (group + 1)> left;
+    const auto [least, most] = std::minmax_element(lift.begin(), lift.end());
+    Landings landings;
+    landings.surface = {map.gradient(face.normal), 2 * (std::max(*most, 0.0) - std::min(*least, 0.0)), true};
     for (int y = 0; y <= count; ++y)
         for (int x = 0; x <= count; ++x) {
-            const Ray& ray = corner(at.x + x, at.y + y).ray;
+            const Ray& ray = cornerOf(at + glm::ivec2(x, y)).ray;
             const double s = double(x) / count, t = double(y) / count;
             const double distance =
                 toFace(ray) + glm::mix(glm::mix(lift[0], lift[1], s), glm::mix(lift[2], lift[3], s), t);
-            const auto i = std::size_t(y * (group + 1) + x);
-            places[i] = map.place(ray.from + distance * ray.direction);
-            left[i] = remaining(distance);
+            const std::size_t i = landings.index({x, y});
+            landings.places[i] = map.place(ray.from + distance * ray.direction);
+            landings.left[i] = remaining(distance);
         }
-    const auto [least, most] = std::minmax_element(lift.begin(), lift.end());
-    const MapSurface surface{map.gradient(normal), 2 * (std::max(*most, 0.0) - std::min(*least, 0.0)), true};
+    return landings;
+}
+
+void CellTracer::deposit(glm::ivec2 at, int count, const Traced& sample) {
+    const Landings landings = landingsOf(at, count, sample);
     for (int y = 0; y < count; ++y)
         for (int x = 0; x < count; ++x)
             for (const bool upper : {false, true}) {
@@ -246,14 +249,13 @@ void CellTracer::deposit(glm::ivec2 at, int count, const Traced& sample) {
                 std::array<MapPlace, 3> corners;
                 glm::dvec3 share(0);
                 for (std::size_t c = 0; c < 3; ++c) {
-                    const auto i = std::size_t(half[c].y * (group + 1) + half[c].x);
-                    corners[c] = places[i];
-                    share += left[i] / 3.0;
+                    corners[c] = landings.places[landings.index(half[c])];
+                    share += landings.left[landings.index(half[c])] / 3.0;
                 }
                 const glm::dvec3 arriving = watts * share;
                 _tally.entering += _scene.fixed.of(meanOf(watts));
-                loose(watts - arriving);
-                const double lost = map.addTriangle(corners, surface, arriving);
+                countLost(watts - arriving);
+                const double lost = sample.map->addTriangle(corners, landings.surface, arriving);
                 _tally.rejected += _scene.fixed.of(lost * meanOf(arriving));
             }
     _tally.photons += count * count;
@@ -310,7 +312,7 @@ void CellTracer::land(const Traced& traced, double flux) {
         return;
     }
     const glm::dvec3 arriving = watts * remaining(traced.hit.distance);
-    loose(watts - arriving);
+    countLost(watts - arriving);
     const double lost = traced.map ? traced.map->addPoint(traced.map->place(traced.hit.point),
                                                           {traced.map->gradient(traced.hit.normal)}, arriving)
                                    : 1;
@@ -324,7 +326,7 @@ glm::dvec3 CellTracer::remaining(double distance) const {
 }
 
 /// Counts what the water took, by what took it.
-void CellTracer::loose(const glm::dvec3& gone) {
+void CellTracer::countLost(const glm::dvec3& gone) {
     const glm::dvec3 absorbed = gone * _scene.absorption / glm::max(_extinction, glm::dvec3(1e-300));
     const glm::dvec3 scattered = gone * _scene.scattering / glm::max(_extinction, glm::dvec3(1e-300));
     _tally.absorbed += _scene.fixed.of(meanOf(absorbed));

@@ -61,6 +61,15 @@ class CellTracer {
         Hit hit;
         TexelMap* map = nullptr; ///< that shows the face, from the side that is lit
     };
+    /// Where the rays of a group land, as its map sees it.
+    struct Landings {
+        static constexpr std::size_t most = (group + 1) * (group + 1);
+        std::array<MapPlace, most> places;
+        std::array<glm::dvec3, most> left; ///< share of RGB that the water leaves
+        MapSurface surface;
+
+        static std::size_t index(glm::ivec2 corner) { return std::size_t(corner.y * (group + 1) + corner.x); }
+    };
 
     Ray enter(const glm::dvec2& place) const;
     void follow(Traced& traced) const;
@@ -74,6 +83,7 @@ class CellTracer {
     void settleAtOnce(glm::ivec2 at, int count, const Traced& sample);
     void settleOnHidden(glm::ivec2 at, int count, const Traced& sample);
     double groupFlux(glm::ivec2 at, int count) const;
+    Landings landingsOf(glm::ivec2 at, int count, const Traced& sample) const;
     void deposit(glm::ivec2 at, int count, const Traced& sample);
     void plainPhotons(glm::ivec2 at);
     int plainCount(glm::ivec2 at) const;
@@ -81,9 +91,8 @@ class CellTracer {
     std::uint64_t randomOf(glm::ivec2 at, int use) const;
     double cellFlux(glm::ivec2 at, bool upper) const;
     void land(const Traced& traced, double flux);
-    glm::dvec3 arriving(double flux, double distance);
     glm::dvec3 remaining(double distance) const;
-    void loose(const glm::dvec3& gone);
+    void countLost(const glm::dvec3& gone);
 
     const LightScene& _scene;
     Tally& _tally;

@@ -42,8 +42,10 @@ struct TraceResult {
 };
 
 /// The maps are made of this many independent estimates, from whose spread the standard error follows: the
-/// mean absolute error over the mean (nMAE) that a map of perfect mean would show against this one, by the
-/// estimates' spread. What all of them have in common, it does not know.
+/// nMAE (mean absolute error over the mean) that a perfect map would show against this one, if every texel's
+/// error were normal. What all estimates have in common, by the size of their cells, it does not know:
+/// against maps of 16 times the photons, those of teapot, fish and floor were off by 1.1 to 1.4 times as
+/// much.
 inline constexpr int batches = 8;
 
 /// The same job with the same photons and seed gives the same bits, whatever the number of threads.
