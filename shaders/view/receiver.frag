@@ -1,16 +1,17 @@
 // A receiver lit by one of its caustic maps (thesis 4.6, eq. 4-19; further lights are added, eq. 4-20).
 // Out 0, RGBA32F: radiance that leaves the receiver, W/(m² sr); alpha 1.
-// Out 1, RGBA32F: position, m from the scene's origin; metres of water between it and the surface along the view
-//        ray (from the camera itself if that is below).
+// Out 1, RGBA32F: position, m from the scene's origin; metres from where it is seen: the camera, its mirror image, or
+//        where the view ray crosses the surface.
 #include "include/facing.glsl"
-#include "include/view.glsl"
+#include "include/water_height.glsl"
 #include "include/receiver_fragment.glsl"
 #include "include/surface_shadow.glsl"
 layout(binding = 1) uniform sampler2D castMap;
-layout(location = 0) uniform int underwater;
+layout(location = 0) uniform int underwater;   // 1: shows what is below the surface, 0: what is above it
 layout(location = 1) uniform int withAmbient;  // once for each receiver
 layout(location = 2) uniform int withCaustics; // castMap and BoxFrame are bound
 layout(location = 3) uniform vec3 strength;    // of a light that comes straight, W/m² or W/sr; LightFrame is bound
+layout(location = 4) uniform int way;          // straight, refracted or mirrored
 layout(location = 0) out vec4 outRadiance;
 layout(location = 1) out vec4 outPosition;
 
@@ -39,7 +40,8 @@ vec3 shadingNormal(vec3 face) {
 
 // Irradiance at this point from the four nearest texels that show the same surface, W/m².
 vec3 castIrradiance(vec3 faceNormal) {
-    vec3 q = boxLocal(fragmentIn.position);
+    // Maps end at the level; what a crest covers above it is lit as just below.
+    vec3 q = boxLocal(vec3(fragmentIn.position.x, min(fragmentIn.position.y, viewWater.x), fragmentIn.position.z));
     vec2 at = q.xy / boxExtent.w - 0.5;
     vec2 base = floor(at), part = at - base;
     // A steep face spans more depth a texel; the bound keeps light from creeping around edges.
@@ -75,9 +77,11 @@ vec3 straightIrradiance(vec3 normal) {
 
 void main() {
     vec3 position = fragmentIn.position;
-    if (isHole() || (underwater != 0 ? position.y > viewWater.x : position.y < viewWater.x)) discard;
-    vec3 seenAt = underwater != 0 && cameraAbove() ? viewCrossing(position) : cameraPosition.xyz;
-    vec3 view = seenAt - position;
+    vec3 view = seenFrom(position, way) - position;
+    // What is looked up next to a waterline must find the object there, so views overlap it by a few texels.
+    float overlap = way == straight ? 0.0 : 4.0 * viewWater.w * distance(position, cameraPosition.xyz);
+    float over = position.y - waterHeight(position.xz);
+    if (isHole() || (underwater != 0 ? over > overlap : over < -overlap)) discard;
     vec3 face = fragmentIn.faceNormal;
     vec3 shading = shadingNormal(face);
 
@@ -94,6 +98,10 @@ void main() {
     if (strength != vec3(0.0)) irradiance += straightIrradiance(shading);
     vec3 albedo = baseColor().rgb;
     vec3 radiance = albedo / pi * irradiance + (withAmbient != 0 ? albedo * ambientRadiance.rgb : vec3(0.0));
+    if (underwater != 0 && way == straight) {
+        vec3 left = extinction(waterExtinction.rgb, length(view));
+        radiance = radiance * left + (withAmbient != 0 ? deepRadiance.rgb * (1.0 - left) : vec3(0.0));
+    }
     outRadiance = vec4(radiance, withAmbient != 0 ? 1.0 : 0.0); // once, however many lights add to it
-    outPosition = vec4(position, distance(position, seenAt));
+    outPosition = vec4(position, length(view));
 }

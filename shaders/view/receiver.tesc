@@ -1,7 +1,8 @@
-// Splits an edge so finely that its curve through the surface stays within a fraction of a pixel in practice:
+// Splits an edge seen through the surface so finely that its curve stays within a fraction of a pixel in practice:
 // pieces of at most a twelfth of the distance from the camera.
 #include "include/view.glsl"
 layout(vertices = 3) out;
+layout(location = 4) uniform int way; // straight, refracted or mirrored
 in VertexData {
     vec3 position;
     vec3 normal;
@@ -16,6 +17,7 @@ out ControlData {
 } controlOut[];
 
 float pieces(vec3 a, vec3 b) {
+    if (way != refracted) return 1.0;
     float far = max(min(distance(a, cameraPosition.xyz), distance(b, cameraPosition.xyz)), 1e-6);
     return clamp(12.0 * distance(a, b) / far, 1.0, 32.0);
 }

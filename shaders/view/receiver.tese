@@ -1,8 +1,7 @@
-// A corner of a piece of a receiver's triangle, placed where the camera sees it: through the flat surface
-// (underwater = 1) or straight.
+// A corner of a piece of a receiver's triangle, placed where the camera sees it.
 #include "include/view.glsl"
 layout(triangles, equal_spacing, ccw) in;
-layout(location = 0) uniform int underwater;
+layout(location = 4) uniform int way; // straight, refracted or mirrored
 in ControlData {
     vec3 position;
     vec3 normal;
@@ -22,5 +21,5 @@ void main() {
     vertexOut.normal = w.x * controlIn[0].normal + w.y * controlIn[1].normal + w.z * controlIn[2].normal;
     vertexOut.uv = w.x * controlIn[0].uv + w.y * controlIn[1].uv + w.z * controlIn[2].uv;
     vertexOut.color = w.x * controlIn[0].color + w.y * controlIn[1].color + w.z * controlIn[2].color;
-    gl_Position = underwater != 0 ? underwaterClip(vertexOut.position) : viewProjection * vec4(vertexOut.position, 1.0);
+    gl_Position = viewClip(vertexOut.position, way);
 }

@@ -1,10 +1,12 @@
-// The surface as the camera sees it: what lies below by refraction, the sky by reflection, each with its Fresnel
-// share. Radiance that leaves the water shrinks by n² (L/n² is what stays along a ray).
-// In: the underwater view. Out, RGBA32F: radiance, W/(m² sr).
+// The surface as the camera sees it: what lies beyond it by refraction, what lies on the camera's side by reflection,
+// each with its Fresnel share. Radiance that leaves the water shrinks by n² (L/n² is what stays along a ray).
+// In: the refracted and the mirrored view (follow_view.glsl). Out, RGBA32F: radiance, W/(m² sr).
 #include "include/surface_shadow.glsl"
-#include "include/view.glsl"
-layout(binding = 0) uniform sampler2D underwaterRadiance;
-layout(binding = 1) uniform sampler2D underwaterPosition;
+#include "include/follow_view.glsl"
+layout(binding = 0) uniform sampler2D refractedRadiance;
+layout(binding = 1) uniform sampler2D refractedPosition;
+layout(binding = 5) uniform sampler2D mirroredRadiance;
+layout(binding = 6) uniform sampler2D mirroredPosition;
 layout(location = 0) uniform vec4 hole; // x, z of a corner and extents of what another draw call fills; extent 0: none
 layout(location = 2) uniform vec3 sun; // W/m² facing it: adds only this light's glitter; its LightFrame is bound
 in vec3 position;
@@ -15,14 +17,8 @@ const float pi = 3.14159265358979;
 // Mean square slope of the ripples that are too small for the grid: what Cox and Munk (1954) found without wind.
 const float rippleSlope = 0.003;
 const int steps = 28;
-const float nothing = 1e29;
 
-vec2 underwaterUv(vec3 point) {
-    vec4 clip = underwaterClip(point);
-    return 0.5 + 0.5 * clip.xy / clip.w;
-}
-
-// Radiance that comes up the refracted view ray. The underwater view holds what flat water would show; the ray is
+// Radiance that comes up the refracted view ray. The refracted view holds what flat water would show; the ray is
 // followed through it until it meets what is stored there.
 vec3 radianceBelow(vec3 from, vec3 direction) {
     float farthest = waterExtinction.w;
@@ -30,8 +26,8 @@ vec3 radianceBelow(vec3 from, vec3 direction) {
     float leap = farthest / float(steps);
     for (int i = 0; i < steps; ++i) {
         vec3 point = from + metres * direction;
-        vec2 uv = underwaterUv(point);
-        float first = texture(underwaterPosition, clamp(uv, 0.0, 1.0)).w;
+        vec2 uv = viewUv(point, refracted);
+        float first = texture(refractedPosition, clamp(uv, 0.0, 1.0)).w;
         float here = distance(point, viewCrossing(point));
         if (first > nothing) {
             metres += 2.0 * leap;
@@ -41,11 +37,29 @@ vec3 radianceBelow(vec3 from, vec3 direction) {
         if (gap < 1e-3 * farthest) break;
         metres += min(0.9 * gap, 4.0 * leap);
     }
-    vec2 uv = clamp(underwaterUv(from + metres * direction), 0.0, 1.0);
-    vec4 seen = texture(underwaterRadiance, uv);
+    vec2 uv = clamp(viewUv(from + metres * direction, refracted), 0.0, 1.0);
+    vec4 seen = texture(refractedRadiance, uv);
     // Alpha is the share of receivers in the texel.
     vec3 receivers = throughWater(seen.rgb / max(seen.a, 1e-3), metres);
     return mix(deepRadiance.rgb, receivers, seen.a);
+}
+
+// Radiance that the surface mirrors: what is on the camera's side of it, and behind that the sky or deep water.
+vec3 radianceMirrored(vec3 from, vec3 direction) {
+    vec3 beyond = cameraAbove() ? skyRadiance.rgb : deepRadiance.rgb;
+    if (nearSideMin.w < 0.5) return beyond;
+    // A ray that a steep wave throws at the next one: that sends it up again.
+    direction.y = cameraAbove() ? abs(direction.y) : -abs(direction.y);
+    Met met = followView(mirroredRadiance, mirroredPosition, mirrored, from, direction, nearSideMin.xyz, nearSideMax.xyz);
+    vec3 receivers = cameraAbove() ? met.radiance.rgb : throughWater(met.radiance.rgb, met.metres);
+    return mix(beyond, receivers, met.radiance.a);
+}
+
+// Radiance that comes down the refracted view ray of a camera under water.
+vec3 radianceAbove(vec3 from, vec3 direction) {
+    if (farSideMin.w < 0.5) return skyRadiance.rgb;
+    Met met = followView(refractedRadiance, refractedPosition, refracted, from, direction, farSideMin.xyz, farSideMax.xyz);
+    return mix(skyRadiance.rgb, met.radiance.rgb, met.radiance.a);
 }
 
 // A sun's glitter: light mirrored by ripples whose slopes are spread evenly about the wave's own (Cox and Munk 1954;
@@ -78,10 +92,12 @@ void main() {
         float cosView = max(-dot(view, up), 1e-3);
         float through = fresnelTransmittance(cosView, 1.0 / ior);
         vec3 below = radianceBelow(position, refractDirection(view, up, 1.0 / ior));
-        outRadiance = vec4(through * below / (ior * ior) + (1.0 - through) * skyRadiance.rgb, 1.0);
+        outRadiance = vec4(through * below / (ior * ior) + (1.0 - through) * radianceMirrored(position, reflect(view, up)), 1.0);
     } else {
+        // Past the critical angle nothing comes through: Snell's window.
         float through = fresnelTransmittance(dot(view, up), ior);
-        vec3 above = through * skyRadiance.rgb * ior * ior + (1.0 - through) * ambientRadiance.rgb;
-        outRadiance = vec4(throughWater(above, distance(position, cameraPosition.xyz)), 1.0);
+        vec3 seen = (1.0 - through) * radianceMirrored(position, reflect(view, up));
+        if (through > 0.0) seen += through * ior * ior * radianceAbove(position, refractDirection(view, -up, ior));
+        outRadiance = vec4(throughWater(seen, distance(position, cameraPosition.xyz)), 1.0);
     }
 }

@@ -69,12 +69,17 @@ void Engine::setScene(Scene scene) {
     _receivers.clear();
     _submerged.clear();
     _dry.clear();
+    _sides = {};
     for (const Receiver& receiver : _scene.receivers) {
         _receivers.emplace_back(_context, receiver, _origin);
         _submerged.push_back(pointsOfSide(receiver, _scene.water.level, Side::Below));
+        for (const glm::dvec3& p : _submerged.back())
+            _sides.wet.add(p);
         const auto above = pointsOfSide(receiver, _scene.water.level, Side::Above);
         _dry.insert(_dry.end(), above.begin(), above.end());
     }
+    for (const glm::dvec3& p : _dry)
+        _sides.dry.add(p);
     _maps.clear();
     freeMaps();
     for (PlannedMap& planned : planMaps(_scene, _submerged)) {
@@ -293,13 +298,14 @@ Picture Engine::render(double time, glm::ivec2 size) {
 Picture Engine::draw(glm::ivec2 size) {
     if (!_picturePass) _picturePass = std::make_unique<PicturePass>(_context);
     Scope scope(_timers, "picture");
-    std::vector<PicturePass::Lit> lit;
+    std::vector<Lit> lit;
     for (const ReceiverMaps& maps : _maps)
         lit.push_back({maps.receiver, &maps.level, &maps.caustics});
     std::vector<const Beams*> lights;
     for (const LightState& state : _lights)
         lights.push_back(&state.beams);
-    return _picturePass->draw({_scene, _origin, _patch, _surface.mesh(), _receivers, lit, lights}, size);
+    return _picturePass->draw({_scene, _origin, _patch, _surface.mesh(), _sides, _receivers, lit, lights},
+                              size);
 }
 
 } // namespace limpid

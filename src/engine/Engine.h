@@ -126,6 +126,7 @@ class Engine {
     std::vector<ReceiverGeometry> _receivers;
     std::vector<std::vector<glm::dvec3>> _submerged; ///< of each receiver, in the world
     std::vector<glm::dvec3> _dry;                    ///< what stands out of the water, in the world
+    SideBounds _sides;                               ///< of both
     std::vector<LightState> _lights;
     std::vector<ReceiverMaps> _maps;
 };

@@ -5,15 +5,11 @@
 
 #include <glm/glm.hpp>
 
-#include "caustics/CausticMap.h"
 #include "gl/Context.h"
-#include "gl/Program.h"
-#include "levelmap/LevelMap.h"
-#include "levelmap/ReceiverGeometry.h"
 #include "scene/Scene.h"
-#include "water/Beams.h"
-#include "water/FlatWater.h"
-#include "water/WaterSurface.h"
+#include "view/ReceiverPass.h"
+#include "view/ViewFrame.h"
+#include "view/WaterPass.h"
 
 namespace limpid {
 
@@ -34,16 +30,12 @@ class PicturePass {
     /// Pixels on the longer side, at most.
     static int largestSide(const gl::Context& context);
 
-    struct Lit {
-        int receiver;
-        const LevelMap* level;
-        const CausticMap* caustics;
-    };
     struct Inputs {
         const Scene& scene; ///< its camera's position and target are set
         const glm::dvec3& origin;
         const WaterPatch& patch;
         const WaterMesh& surface;
+        const SideBounds& sides;
         std::span<const ReceiverGeometry> receivers;
         std::span<const Lit> lit;
         std::span<const Beams* const> lights; ///< in the scene's order
@@ -51,16 +43,9 @@ class PicturePass {
     Picture draw(const Inputs& inputs, glm::ivec2 size);
 
   private:
-    gl::Texture castMap(const Lit& lit);
-    void addCaustics(const Inputs& inputs, std::size_t receiver);
-    void addDirectLight(const Inputs& inputs, std::size_t receiver, bool underwater);
-    void drawReceivers(const Inputs& inputs, const gl::Framebuffer& target, bool underwater);
-    void drawWater(const Inputs& inputs);
-    void drawGrid(const Inputs& inputs);
-    void drawHorizon(const Inputs& inputs);
-
     gl::Context& _context;
-    gl::Program _castMap, _receiver, _water, _underwaterScreen;
+    ReceiverPass _receivers;
+    WaterPass _water;
 };
 
 } // namespace limpid

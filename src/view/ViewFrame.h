@@ -1,0 +1,37 @@
+#pragma once
+#include <glm/glm.hpp>
+
+#include "scene/Scene.h"
+#include "water/FlatWater.h"
+
+namespace limpid {
+
+/// The receivers' parts on each side of the water, in the world, m. Either may be empty.
+struct SideBounds {
+    Bounds dry, wet;
+};
+
+/// The camera and what it sees everything through, as shaders/include/view.glsl reads it (std140). Positions
+/// in m from the scene's origin, radiance in W/(m² sr).
+struct ViewFrameData {
+    glm::mat4 viewProjection;
+    glm::vec4 cameraPosition, ambientRadiance, skyRadiance, waterExtinction, viewWater, deepRadiance;
+    glm::vec4 patchRect;
+    glm::ivec4 patchQuads;
+    glm::vec4 nearSideMin, nearSideMax, farSideMin, farSideMax;
+
+    bool cameraAbove() const { return cameraPosition.w > 0.5f; }
+    /// Whether any receiver is on the camera's side of the surface, or on the other one.
+    bool hasNearSide() const { return nearSideMin.w > 0.5f; }
+    bool hasFarSide() const { return farSideMin.w > 0.5f; }
+};
+
+/// How much wider than the picture the views through and in the surface are, on each side as a share of the
+/// picture's half width: waves look past its edge.
+inline constexpr double viewMargin = 0.15;
+
+/// The frame of a picture of `samples` a side. `scene.camera` has position and target.
+ViewFrameData viewFrame(const Scene& scene, const glm::dvec3& origin, const WaterPatch& patch,
+                        const SideBounds& sides, glm::ivec2 samples);
+
+} // namespace limpid

@@ -1,0 +1,88 @@
+#include "view/WaterPass.h"
+
+#include <array>
+#include <cmath>
+
+namespace limpid {
+
+namespace {
+enum Uniform { Hole, FlatRest, Sun };
+constexpr GLuint refractedUnit = 0, mirroredUnit = 5; // radiance; position is the next one
+} // namespace
+
+WaterPass::WaterPass(gl::Context& context)
+    : _context(context), _water({"view/water.vert", "view/water.frag"}) {}
+
+void WaterPass::drawGrid(const Inputs& inputs) {
+    gl::VertexArray grid;
+    grid.attribute(0, inputs.surface.positions, 4, 0, 16);
+    grid.attribute(1, inputs.surface.normals, 4, 0, 16);
+    grid.indices(inputs.surface.indices);
+    grid.bind();
+    _water.set(Hole, glm::vec4(0));
+    _water.set(FlatRest, 0);
+    glDrawElements(GL_TRIANGLES, 3 * inputs.surface.triangleCount, GL_UNSIGNED_INT, nullptr);
+}
+
+/// The flat rest, out to where it is a line in any picture.
+void WaterPass::drawHorizon(const Inputs& inputs) {
+    const glm::dvec3& camera = *inputs.scene.camera.position;
+    const double reach =
+        1000 * (glm::length(inputs.patch.size) + std::abs(camera.y - inputs.scene.water.level));
+    std::array<glm::vec4, 12> vertices;
+    constexpr int corners[] = {0, 1, 2, 2, 1, 3};
+    for (std::size_t i = 0; i < 6; ++i) {
+        const glm::dvec2 side(corners[i] & 1 ? 1 : -1, corners[i] & 2 ? 1 : -1);
+        vertices[2 * i] = glm::vec4(
+            glm::dvec3(camera.x + reach * side.x, inputs.scene.water.level, camera.z + reach * side.y) -
+                inputs.origin,
+            1);
+        vertices[2 * i + 1] = {0, 1, 0, 0};
+    }
+    const gl::Buffer buffer(_context.ledger(), "water", std::span<const glm::vec4>(vertices));
+    gl::VertexArray quad;
+    quad.attribute(0, buffer, 4, 0, 32);
+    quad.attribute(1, buffer, 4, 16, 32);
+    quad.bind();
+    // The two overlap a little, or the sky shows through between them; at the rim both are flat.
+    const glm::vec4& patch = inputs.frame.patchRect;
+    constexpr float overlap = 0.002f;
+    _water.set(Hole, glm::vec4(glm::vec2(patch) + overlap * glm::vec2(patch.z, patch.w),
+                               (1 - 2 * overlap) * glm::vec2(patch.z, patch.w)));
+    _water.set(FlatRest, 1);
+    glDrawArrays(GL_TRIANGLES, 0, 6);
+}
+
+void WaterPass::addGlitter(const Inputs& inputs) {
+    glDepthFunc(GL_LEQUAL);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE);
+    for (std::size_t i = 0; i < inputs.scene.lights.size(); ++i) {
+        const Light& light = inputs.scene.lights[i];
+        if (light.type != LightType::Directional || !entersWater(light, inputs.scene.water)) continue;
+        inputs.lights[i]->frame.bindUniform(0);
+        if (inputs.lights[i]->surfaceShadow) inputs.lights[i]->surfaceShadow->bind(surfaceShadowUnit);
+        _water.set(Sun, glm::vec3(light.irradiance));
+        drawHorizon(inputs);
+        drawGrid(inputs);
+    }
+    glDisable(GL_BLEND);
+    glDepthFunc(GL_LESS);
+}
+
+/// First what shines through and what is mirrored, then each sun's glitter on top.
+void WaterPass::draw(const Inputs& inputs) {
+    inputs.refracted->bind(refractedUnit);
+    inputs.refractedPosition->bind(refractedUnit + 1);
+    inputs.mirrored->bind(mirroredUnit);
+    inputs.mirroredPosition->bind(mirroredUnit + 1);
+    _water.use();
+    glEnable(GL_DEPTH_TEST);
+    _water.set(Sun, glm::vec3(0));
+    drawHorizon(inputs);
+    drawGrid(inputs);
+    addGlitter(inputs);
+    glDisable(GL_DEPTH_TEST);
+}
+
+} // namespace limpid
