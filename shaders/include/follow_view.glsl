@@ -51,7 +51,7 @@ Met followView(sampler2D radiances, sampler2D positions, int way, vec3 from, vec
     float before = within.x;
     float atBefore = behind(positions, from + before * direction, way);
     // Where it ends behind something, the view cannot say what it met: what was last in the open is next to that.
-    float open = -1.0;
+    float open = -1.0, beyond = 0.0;
     bool hidden = false;
     for (int i = 0; i <= looks; ++i) {
         float share = mix(span.x, span.y, float(i) / float(looks));
@@ -66,9 +66,12 @@ Met followView(sampler2D radiances, sampler2D positions, int way, vec3 from, vec
             }
             return metAt(radiances, from, direction, here, way);
         }
-        if (atHere < 0.0 && atHere > -nothing) open = here;
+        if (atHere < 0.0) open = atHere > -nothing ? here : -1.0, beyond = -atHere;
         hidden = atHere >= 0.0;
         before = here;
     }
-    return hidden && open >= 0.0 ? metAt(radiances, from, direction, open, way) : Met(vec4(0.0), 0.0);
+    if (!hidden || open < 0.0) return Met(vec4(0.0), 0.0);
+    Met met = metAt(radiances, from, direction, open, way);
+    met.metres += beyond;
+    return met;
 }

@@ -41,7 +41,7 @@ vec3 shadingNormal(vec3 face) {
 // Irradiance at this point from the four nearest texels that show the same surface, W/m².
 vec3 castIrradiance(vec3 faceNormal) {
     // Maps end at the level; what a crest covers above it is lit as just below.
-    vec3 q = boxLocal(vec3(fragmentIn.position.x, min(fragmentIn.position.y, viewWater.x), fragmentIn.position.z));
+    vec3 q = boxLocal(vec3(fragmentIn.position.x, min(fragmentIn.position.y, waterRest.x), fragmentIn.position.z));
     vec2 at = q.xy / boxExtent.w - 0.5;
     vec2 base = floor(at), part = at - base;
     // A steep face spans more depth a texel; the bound keeps light from creeping around edges.

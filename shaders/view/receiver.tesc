@@ -19,7 +19,7 @@ out ControlData {
 float pieces(vec3 a, vec3 b) {
     if (way != refracted) return 1.0;
     float far = max(min(distance(a, cameraPosition.xyz), distance(b, cameraPosition.xyz)), 1e-6);
-    return clamp(12.0 * distance(a, b) / far, 1.0, 32.0);
+    return clamp(12.0 * distance(a, b) / far, 1.0, 64.0);
 }
 
 void main() {

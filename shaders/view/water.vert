@@ -11,7 +11,7 @@ void main() {
     normal = inNormal.xyz;
     if (flatRest == 0) {
         float share = rimShare((position.xz - patchRect.xy) / patchRect.zw);
-        position.y = mix(viewWater.x, position.y, share);
+        position.y = mix(waterRest.x, position.y, share);
         normal = mix(vec3(0.0, 1.0, 0.0), normal, share);
     }
     gl_Position = viewProjection * vec4(position, 1.0);

@@ -29,7 +29,7 @@ using namespace glm;
 #include "include/optics.glsl"
 #include "include/planes.glsl"
 #include "include/spline.glsl"
-#include "include/water_rim.glsl"
+#include "include/water_grid.glsl"
 #include "include/waves.glsl"
 } // namespace
 } // namespace limpid::shader

@@ -62,9 +62,9 @@ void Buffer::clearToZero() {
     glClearNamedBufferData(_id, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
 }
 
-void Buffer::readBytes(void* out, std::int64_t bytes) const {
+void Buffer::readBytes(void* out, std::int64_t offset, std::int64_t bytes) const {
     glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-    if (bytes > 0) glGetNamedBufferSubData(_id, 0, bytes, out);
+    if (bytes > 0) glGetNamedBufferSubData(_id, offset, bytes, out);
 }
 
 void Buffer::reset() {

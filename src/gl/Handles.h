@@ -38,16 +38,16 @@ class Buffer {
     void bindStorage(GLuint binding) const { glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, _id); }
     void bindUniform(GLuint binding) const { glBindBufferBase(GL_UNIFORM_BUFFER, binding, _id); }
 
-    /// Waits for the GPU and copies `count` elements from the start.
+    /// Waits for the GPU and copies `count` elements, from element `first` on.
     template <typename T>
-    std::vector<T> read(std::size_t count) const {
+    std::vector<T> read(std::size_t count, std::size_t first = 0) const {
         std::vector<T> out(count);
-        readBytes(out.data(), std::int64_t(count * sizeof(T)));
+        readBytes(out.data(), std::int64_t(first * sizeof(T)), std::int64_t(count * sizeof(T)));
         return out;
     }
 
   private:
-    void readBytes(void* out, std::int64_t bytes) const;
+    void readBytes(void* out, std::int64_t offset, std::int64_t bytes) const;
     void reset();
     void swap(Buffer& other) noexcept;
     GLuint _id = 0;

@@ -52,7 +52,8 @@ Picture PicturePass::draw(const Inputs& inputs, glm::ivec2 size) {
     gl::Ledger& ledger = _context.ledger();
     const glm::ivec2 samples = size * supersampling;
     const glm::ivec2 wide(glm::ceil(glm::dvec2(samples) * (1 + viewMargin)));
-    const ViewFrameData frame = viewFrame(inputs.scene, inputs.origin, inputs.patch, inputs.sides, samples);
+    const ViewFrameData frame =
+        viewFrame(inputs.scene, inputs.origin, inputs.patch, inputs.surface, inputs.sides, samples);
     const gl::Buffer view(ledger, "view", sizeof(frame), &frame);
     view.bindUniform(viewBinding);
     const Side nearSide = frame.cameraAbove() ? Side::Above : Side::Below;

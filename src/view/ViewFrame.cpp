@@ -20,18 +20,62 @@ double nearPlane(const Bounds& bounds, const Camera& camera) {
     return 1e-3 * std::max(std::min(glm::distance(*camera.position, *camera.target), toScene), 1e-9);
 }
 
+/// y of the water's surface at a place, as it is drawn there (shaders/include/water_height.glsl), in the
+/// world.
+double surfaceHeight(const Water& water, const WaterPatch& patch, const WaterMesh& surface,
+                     const glm::dvec3& origin, const glm::dvec2& xz) {
+    const glm::dvec2 at = (xz - patch.min()) / patch.size * glm::dvec2(patch.grid);
+    const glm::ivec2 quad(glm::floor(at));
+    if (quad.x < 0 || quad.y < 0 || quad.x >= patch.grid.x || quad.y >= patch.grid.y) return water.level;
+    const auto corner = [&](int right, int down) {
+        const glm::ivec2 c = quad + glm::ivec2(right, down);
+        const auto index = std::size_t(c.y) * std::size_t(patch.grid.x + 1) + std::size_t(c.x);
+        const double height = double(surface.positions.read<glm::vec4>(1, index)[0].y) + origin.y;
+        const float share = shader::rimShare(glm::vec2(c) / glm::vec2(patch.grid));
+        return float(glm::mix(water.level, height, double(share)) - water.level);
+    };
+    return water.level +
+           double(shader::quadHeight((quad.x + quad.y) % 2 == 0, glm::vec2(at - glm::dvec2(quad)),
+                                     corner(0, 0), corner(1, 0), corner(0, 1), corner(1, 1)));
+}
+
+/// Where the camera is with respect to the water.
+struct Eye {
+    glm::dvec3 position; ///< in the world, never in the surface itself
+    bool above;
+    double plane; ///< y of the flat surface that views through and in the water are made by
+};
+
+Eye eyeOf(const Camera& camera, const Water& water, double near, double height) {
+    Eye eye{*camera.position, camera.position->y >= height, water.level};
+    // In the surface, half of the rays would start on its other side.
+    const double least = 0.1 * near;
+    if (eye.above) {
+        eye.position.y = std::max(eye.position.y, height + least);
+        eye.plane = std::min(eye.plane, eye.position.y - least);
+    } else {
+        eye.position.y = std::min(eye.position.y, height - least);
+        eye.plane = std::max(eye.plane, eye.position.y + least);
+    }
+    return eye;
+}
+
 /// An upper bound on metres beyond the surface between the camera's rays and any receiver. Waves bend rays
 /// further than flat water does; a quarter more has room for it.
-double farthestSeen(const Bounds& bounds, const Water& water, const glm::dvec3& camera) {
+double farthestSeen(const Bounds& bounds, const Water& water, const Eye& eye) {
     double farthest = 1e-6;
     for (int i = 0; i < 8; ++i) {
         const glm::dvec3 corner(i & 1 ? bounds.max.x : bounds.min.x, i & 2 ? bounds.max.y : bounds.min.y,
                                 i & 4 ? bounds.max.z : bounds.min.z);
-        const double above = camera.y - water.level, below = std::max(water.level - corner.y, 0.0);
-        const double across = glm::distance(glm::dvec2(camera.x, camera.z), glm::dvec2(corner.x, corner.z));
-        const double rest =
-            above > 0 ? across - optics::flatCrossing(above, below, across, water.ior) : across;
-        farthest = std::max(farthest, above > 0 ? std::hypot(rest, below) : glm::distance(corner, camera));
+        if (!eye.above) {
+            farthest = std::max(farthest, glm::distance(corner, eye.position));
+            continue;
+        }
+        const double above = eye.position.y - eye.plane, below = std::max(eye.plane - corner.y, 0.0);
+        const double across =
+            glm::distance(glm::dvec2(eye.position.x, eye.position.z), glm::dvec2(corner.x, corner.z));
+        const double rest = across - optics::flatCrossing(above, below, across, water.ior);
+        farthest = std::max(farthest, std::hypot(rest, below));
     }
     return 1.25 * farthest;
 }
@@ -47,14 +91,13 @@ glm::dvec3 deepRadiance(const Scene& scene) {
     return deep;
 }
 
-glm::dmat4 viewProjection(const Camera& camera, const glm::dvec3& origin, double near, glm::ivec2 size) {
-    const glm::dvec3 position = *camera.position - origin, target = *camera.target - origin;
+glm::dmat4 viewProjection(const Camera& camera, const glm::dvec3& position, double near, glm::ivec2 size) {
     const glm::dmat4 projection =
         glm::infinitePerspective(glm::radians(camera.verticalFov), double(size.x) / double(size.y), near);
-    const glm::dvec3 forward = glm::normalize(target - position);
+    const glm::dvec3 way = *camera.target - *camera.position;
     // Looking along `up`, any other axis serves.
-    const bool vertical = glm::length(glm::cross(forward, glm::normalize(camera.up))) < 1e-6;
-    return projection * glm::lookAt(position, target, vertical ? glm::dvec3(0, 0, -1) : camera.up);
+    const bool vertical = glm::length(glm::cross(glm::normalize(way), glm::normalize(camera.up))) < 1e-6;
+    return projection * glm::lookAt(position, position + way, vertical ? glm::dvec3(0, 0, -1) : camera.up);
 }
 
 void setBounds(glm::vec4& min, glm::vec4& max, const Bounds& bounds, const glm::dvec3& origin) {
@@ -80,20 +123,25 @@ void setSides(ViewFrameData& frame, SideBounds sides, const Water& water, const 
 } // namespace
 
 ViewFrameData viewFrame(const Scene& scene, const glm::dvec3& origin, const WaterPatch& patch,
-                        const SideBounds& sides, glm::ivec2 samples) {
+                        const WaterMesh& surface, const SideBounds& sides, glm::ivec2 samples) {
     const Camera& camera = scene.camera;
     const Water& water = scene.water;
     const Bounds bounds = worldBounds(scene);
+    const double near = nearPlane(bounds, camera);
+    const glm::dvec2 foot(camera.position->x, camera.position->z);
+    const bool inWaves = std::abs(camera.position->y - water.level) <= highestWave(water);
+    const double height = inWaves ? surfaceHeight(water, patch, surface, origin, foot) : water.level;
+    const Eye eye = eyeOf(camera, water, near, height);
     ViewFrameData frame;
-    frame.viewProjection = viewProjection(camera, origin, nearPlane(bounds, camera), samples);
-    frame.cameraPosition = glm::vec4(*camera.position - origin, camera.position->y > water.level ? 1 : 0);
+    frame.viewProjection = viewProjection(camera, eye.position - origin, near, samples);
+    frame.cameraPosition = glm::vec4(eye.position - origin, eye.above ? 1 : 0);
     frame.ambientRadiance = glm::vec4(scene.ambientRadiance, 0);
     frame.skyRadiance = glm::vec4(scene.skyRadiance, 0);
-    frame.waterExtinction =
-        glm::vec4(water.absorption + water.scattering, farthestSeen(bounds, water, *camera.position));
+    frame.waterExtinction = glm::vec4(water.absorption + water.scattering, farthestSeen(bounds, water, eye));
     const double texel = 2 * std::tan(0.5 * glm::radians(camera.verticalFov)) / samples.y;
-    frame.viewWater = glm::vec4(water.level - origin.y, water.ior, 1 / (1 + viewMargin), texel);
+    frame.viewWater = glm::vec4(eye.plane - origin.y, water.ior, 1 / (1 + viewMargin), texel);
     frame.deepRadiance = glm::vec4(deepRadiance(scene), 0);
+    frame.waterRest = glm::vec4(water.level - origin.y, 0, 0, 0);
     frame.patchRect = glm::vec4(patch.min() - glm::dvec2(origin.x, origin.z), patch.size);
     frame.patchQuads = glm::ivec4(patch.grid, 0, 0);
     setSides(frame, sides, water, origin);

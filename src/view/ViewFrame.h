@@ -3,6 +3,7 @@
 
 #include "scene/Scene.h"
 #include "water/FlatWater.h"
+#include "water/WaterSurface.h"
 
 namespace limpid {
 
@@ -16,7 +17,7 @@ struct SideBounds {
 struct ViewFrameData {
     glm::mat4 viewProjection;
     glm::vec4 cameraPosition, ambientRadiance, skyRadiance, waterExtinction, viewWater, deepRadiance;
-    glm::vec4 patchRect;
+    glm::vec4 waterRest, patchRect;
     glm::ivec4 patchQuads;
     glm::vec4 nearSideMin, nearSideMax, farSideMin, farSideMax;
 
@@ -31,7 +32,9 @@ struct ViewFrameData {
 inline constexpr double viewMargin = 0.15;
 
 /// The frame of a picture of `samples` a side. `scene.camera` has position and target.
+/// Whether it is under water is decided by the surface as it is drawn; for a camera as near to the level as
+/// waves are high, this waits for the GPU.
 ViewFrameData viewFrame(const Scene& scene, const glm::dvec3& origin, const WaterPatch& patch,
-                        const SideBounds& sides, glm::ivec2 samples);
+                        const WaterMesh& surface, const SideBounds& sides, glm::ivec2 samples);
 
 } // namespace limpid

@@ -78,10 +78,13 @@ void WaterPass::draw(const Inputs& inputs) {
     inputs.mirroredPosition->bind(mirroredUnit + 1);
     _water.use();
     glEnable(GL_DEPTH_TEST);
+    // A camera close to the water has it nearer than the near plane.
+    glEnable(GL_DEPTH_CLAMP);
     _water.set(Sun, glm::vec3(0));
     drawHorizon(inputs);
     drawGrid(inputs);
     addGlitter(inputs);
+    glDisable(GL_DEPTH_CLAMP);
     glDisable(GL_DEPTH_TEST);
 }
 

@@ -151,5 +151,51 @@ TEST_F(SurfaceViewTest, snellsWindowShowsWhatStandsOutOfTheWater) {
     EXPECT_GT(at(picture, 60, 24).z, at(picture, 60, 24).x) << "sky beside it";
 }
 
+/// The camera looks along the surface; each pixel below the horizon has a closed form, however near the eye
+/// is.
+TEST_F(SurfaceViewTest, aCameraAtTheLevelSeesTheFloorBelowTheHorizon) {
+    Scene scene = unlit();
+    scene.water.absorption = {0.3, 0.2, 0.1};
+    scene.receivers = {scenes::floorAt(-1, 3)};
+    for (const double height : {0.0, 1e-7, 1e-3, 0.02}) {
+        SCOPED_TRACE(height);
+        scene.camera.position = {0, height, 0};
+        scene.camera.target = {0, height, -1};
+        const glm::ivec2 size(32, 24);
+        const Picture picture = render(scene, size);
+        expectNear(at(picture, 16, 8), scene.skyRadiance, "sky");
+        for (const int row : {14, 18, 23}) {
+            const glm::dvec3 view = rayThrough(scene.camera, {16, row}, size);
+            const double through = optics::fresnelTransmittance(-view.y, 1 / ior);
+            const double down = std::sqrt(1 - (1 - view.y * view.y) / (ior * ior));
+            const glm::dvec3 left = optics::extinction(scene.water.absorption, 1 / down);
+            const glm::dvec3 expected = through * 0.8 * scene.ambientRadiance * left / (ior * ior) +
+                                        (1 - through) * scene.skyRadiance;
+            // A pixel spans 1.9°; near the horizon, Fresnel's law bends by 0.02 over a sample, of 0.4.
+            for (int c = 0; c < 3; ++c)
+                EXPECT_NEAR(at(picture, 16, row)[c] / expected[c], 1, 0.02) << "row " << row;
+        }
+    }
+}
+
+TEST_F(SurfaceViewTest, wavesDecideWhetherTheCameraIsUnderWater) {
+    Scene scene = unlit();
+    scene.receivers = {scenes::floorAt(-1, 4)};
+    scene.water.waves = {scenes::cosine(0.02, 1, {1, 0})}; // crest at x = 0, trough at 0.5
+    scene.water.grid = {128, 128};
+    scene.camera.verticalFov = 30;
+    const auto seesSky = [&](double x, double y) {
+        // Up, but less steeply than Snell's window begins: under water the surface mirrors the floor.
+        scene.camera.position = {x, y, 0};
+        scene.camera.target = {x, y + 0.3, -1};
+        const glm::dvec3 seen = at(render(scene, {16, 12}), 8, 6);
+        return glm::length(seen - scene.skyRadiance) < 1e-6;
+    };
+    EXPECT_TRUE(seesSky(0.5, -0.01));
+    EXPECT_FALSE(seesSky(0.5, -0.025));
+    EXPECT_FALSE(seesSky(0, 0.01));
+    EXPECT_TRUE(seesSky(0, 0.025));
+}
+
 } // namespace
 } // namespace limpid
