@@ -1,12 +1,14 @@
 // One light over flat water: the mean light. Every position is in metres from the scene's origin.
+#include "include/cone.glsl"
 #include "include/optics.glsl"
 layout(std140, binding = 0) uniform LightFrame {
     vec4 lightPosition;   // xyz; w: 0 directional, 1 point
-    vec4 lightDirection;  // directional: unit, the way light travels
+    vec4 lightDirection;  // unit; directional: the way light travels; spot: its axis
     vec4 lightRefracted;  // directional: unit, the same below flat water
     vec4 sceneDepthRect;  // what the scene depth map covers of the flat surface: x, z of its corner, extents, m
     vec4 waterSurface;    // level m; index of refraction
     vec4 surfaceShadowRect; // what the surface shadow map covers of it, likewise; extent 0: nothing is above the water
+    vec4 lightCone;       // spot: cosines of the inner and the outer angle; any other light: -2, -3, which all lie within
 };
 
 bool isPointLight() { return lightPosition.w > 0.5; }
@@ -14,6 +16,11 @@ bool isPointLight() { return lightPosition.w > 0.5; }
 // Direction of the incident light at a point of the surface, unit.
 vec3 incidentDirection(vec3 surface) {
     return isPointLight() ? normalize(surface - lightPosition.xyz) : lightDirection.xyz;
+}
+
+// The share of a point light's intensity that goes towards a point, [0, 1].
+float intensityShare(vec3 point) {
+    return isPointLight() ? coneShare(dot(incidentDirection(point), lightDirection.xyz), lightCone.x, lightCone.y) : 1.0;
 }
 
 // Where the mean light that reaches `point` crosses the flat surface. Above the water it goes on as it would: a

@@ -68,7 +68,7 @@ vec3 straightIrradiance(vec3 normal) {
     vec3 position = fragmentIn.position;
     vec3 direction = incidentDirection(position);
     float metres = isPointLight() ? distance(position, lightPosition.xyz) : 0.0;
-    vec3 arriving = strength * (isPointLight() ? 1.0 / max(metres * metres, 1e-12) : 1.0);
+    vec3 arriving = strength * (isPointLight() ? intensityShare(position) / max(metres * metres, 1e-12) : 1.0);
     if (underwater != 0) arriving *= extinction(waterExtinction.rgb, metres);
     float footprint = max(surfaceShadowRect.z, surfaceShadowRect.w) / float(textureSize(surfaceShadow, 0).x);
     float lit = underwater != 0 ? 1.0 : surfaceVisibility(position, 6.0 * footprint);

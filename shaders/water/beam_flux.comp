@@ -1,5 +1,5 @@
 // What each water triangle takes from the light, after Fresnel: in m² for a directional light (W per W/m²), in sr
-// for a point light (W per W/sr). Flux goes by the triangle's own face; the vertex normals only bend the rays.
+// for a point light (W per W/sr; what a spot leaves out counts less). Flux goes by the triangle's own face; the vertex normals only bend the rays.
 // In: vertex indices, beam origins. Out, a triangle: flux as if nothing stood out of the water; the share of it that
 // things above the water leave.
 #include "include/surface_shadow.glsl"
@@ -31,7 +31,15 @@ void main() {
     } else {
         seen = -0.5 * dot(cross(b.xyz - a.xyz, c.xyz - a.xyz), lightDirection.xyz);
     }
-    flux[index] = max(seen, 0.0) * (a.w + b.w + c.w) / 3.0;
+    float within = 1.0;
+    if (lightCone.y > -1.0) {
+        within = 0.0;
+        for (int i = 0; i < raysPerBeam; ++i) {
+            vec3 w = trianglePoint(i);
+            within += intensityShare(w.x * a.xyz + w.y * b.xyz + w.z * c.xyz) / float(raysPerBeam);
+        }
+    }
+    flux[index] = max(seen, 0.0) * (a.w + b.w + c.w) / 3.0 * within;
     float share = 1.0;
     if (surfaceShadowRect.z > 0.0) {
         share = 0.0;

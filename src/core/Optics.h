@@ -14,6 +14,7 @@ using namespace glm;
 // The included files say float and vec3; this makes them mean double here.
 #define float double
 #define vec3 dvec3
+#include "include/cone.glsl"
 #include "include/optics.glsl"
 #include "include/planes.glsl"
 #undef float

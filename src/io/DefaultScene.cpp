@@ -87,16 +87,27 @@ std::string receiverName(const std::filesystem::path& model) {
 }
 
 bool entersWater(const Light& light, double level) {
+    if (light.isSpot()) {
+        const double axis = std::asin(light.direction.y / glm::length(light.direction));
+        if (glm::degrees(axis) - light.outerCone > -lowestSun) return false; // its lowest ray
+    }
     if (light.type == LightType::Point) return light.position.y > level;
     return -light.direction.y > std::sin(glm::radians(lowestSun)) * glm::length(light.direction);
 }
 
 toml::table lightTable(const Light& light, const std::string& name) {
-    if (light.type == LightType::Point)
-        return toml::table{{"name", name},
-                           {"type", "point"},
-                           {"position", array(light.position)},
-                           {"intensity", array(light.intensity)}};
+    if (light.type == LightType::Point) {
+        toml::table lamp{{"name", name},
+                         {"type", "point"},
+                         {"position", array(light.position)},
+                         {"intensity", array(light.intensity)}};
+        if (!light.isSpot()) return lamp;
+        lamp.insert_or_assign("type", "spot");
+        lamp.insert("direction", array(light.direction));
+        lamp.insert("inner_cone", light.innerCone);
+        lamp.insert("outer_cone", light.outerCone);
+        return lamp;
+    }
     return toml::table{
         {"name", name}, {"direction", array(light.direction)}, {"irradiance", array(light.irradiance)}};
 }

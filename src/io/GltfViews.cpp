@@ -43,6 +43,17 @@ std::optional<glm::dvec3> strength(const tinygltf::Light& source) {
     return good && color != glm::dvec3(0) ? std::optional(color) : std::nullopt;
 }
 
+/// False for a cone that the format does not allow.
+bool addCone(const tinygltf::SpotLight& spot, const std::optional<glm::dvec3>& axis, Light& light) {
+    constexpr double widest = 0.5 * std::numbers::pi;
+    const double inner = spot.innerConeAngle, outer = spot.outerConeAngle;
+    if (!axis || !(inner >= 0 && inner < outer && outer <= widest * (1 + 1e-6))) return false;
+    light.direction = *axis;
+    light.innerCone = glm::degrees(inner);
+    light.outerCone = glm::degrees(std::min(outer, widest));
+    return true;
+}
+
 std::optional<Light> convert(const tinygltf::Light& source, const glm::dmat4& transform) {
     const std::optional<glm::dvec3> color = strength(source);
     const std::optional<glm::dvec3> direction = forward(transform);
@@ -59,10 +70,11 @@ std::optional<Light> convert(const tinygltf::Light& source, const glm::dmat4& tr
     if (source.type != "point" && source.type != "spot") return std::nullopt;
     light.type = LightType::Point;
     light.intensity = *color;
+    if (source.type == "spot" && !addCone(source.spot, direction, light)) return std::nullopt;
     return light;
 }
 
-/// At `center`, the strongest colour, on a plane facing the light.
+/// At `center`, the strongest colour, on a plane facing the light; of a spot, as if it looked there.
 double irradiance(const Light& light, const glm::dvec3& center) {
     const auto strongest = [](const glm::dvec3& c) { return std::max({c.x, c.y, c.z}); };
     if (light.type == LightType::Directional) return strongest(light.irradiance);

@@ -11,8 +11,8 @@ namespace limpid::io {
 
 /// The lights of KHR_lights_punctual in the scene. Their intensities are photometric (lux, candela) and
 /// exposed as the file's author liked, so only their ratios are kept: the light that is brightest at `center`
-/// gives 6 W/m² there, in the strongest of its colours. Spots shine all around, as the scene knows no cones.
-/// What gives no light there is left out. Throws InputError for an index that breaks the format.
+/// gives 6 W/m² there, in the strongest of its colours. Spots count as if they looked
+/// there. What gives no light is left out. Throws InputError for an index that breaks the format.
 std::vector<Light> readLights(const GltfFile& file, const std::vector<SceneNode>& nodes,
                               const glm::dvec3& center);
 

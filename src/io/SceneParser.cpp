@@ -150,16 +150,27 @@ Water parseWater(TomlTable table, const fs::path& folder) {
     return water;
 }
 
+void parseCone(TomlTable& table, Light& light) {
+    table.direction("direction", light.direction);
+    light.outerCone = 45;
+    table.number("outer_cone", light.outerCone,
+                 {.min = 0, .max = 90, .openMin = true, .text = " > 0 and <= 90"});
+    table.number("inner_cone", light.innerCone, nonNegative);
+    if (light.innerCone >= light.outerCone) table.fail("inner_cone", "a number below outer_cone");
+}
+
 Light parseLight(TomlTable table, std::size_t number, Names& taken) {
-    constexpr std::string_view types[] = {"directional", "point"};
+    constexpr std::string_view types[] = {"directional", "point", "spot"};
     Light light;
     light.name = parseName(table, "light", number, taken);
-    light.type = static_cast<LightType>(table.choice("type", types));
-    if (light.type == LightType::Point) {
+    const std::string_view type = types[table.choice("type", types)];
+    if (type != "directional") {
+        light.type = LightType::Point;
         if (!table.has("position")) table.fail("position", "three numbers");
         table.vector("position", light.position, anyNumber);
         table.vector("intensity", light.intensity, nonNegative);
-        table.finish(" of a point light");
+        if (type == "spot") parseCone(table, light);
+        table.finish(type == "spot" ? " of a spot light" : " of a point light");
     } else {
         table.direction("direction", light.direction);
         table.vector("irradiance", light.irradiance, nonNegative);

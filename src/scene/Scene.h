@@ -63,14 +63,21 @@ struct Water {
 
 enum class LightType { Directional, Point };
 
+/// A spot is a point light with a cone: in a direction at an angle a to its axis it has
+/// clamp((cos a - cos outer) / max(0.001, cos inner - cos outer), 0, 1)² of its intensity
+/// (KHR_lights_punctual; shaders/include/cone.glsl).
 struct Light {
     std::string name = "light";
     LightType type = LightType::Directional;
-    glm::dvec3 direction{0, -1, 0}; ///< directional: the way light travels, of any length > 0
+    glm::dvec3 direction{0, -1, 0}; ///< directional: the way light travels; spot: its axis; of any length > 0
     glm::dvec3 irradiance{1, 1, 1}; ///< directional: W/m² on a plane facing it
     double angularDiameter = 0;     ///< directional: degrees, [0, 10]
     glm::dvec3 position{0, 1, 0};   ///< point: m
-    glm::dvec3 intensity{1, 1, 1};  ///< point: W/sr
+    glm::dvec3 intensity{1, 1, 1};  ///< point: W/sr; of a spot, along its axis
+    double innerCone = 0;           ///< spot: degrees from the axis, [0, outerCone)
+    double outerCone = 180;         ///< spot: degrees from the axis, (0, 90]; 180: no spot, shines all around
+
+    bool isSpot() const { return type == LightType::Point && outerCone < 180; }
 };
 
 /// An object that caustics fall on. `mesh` is in its own space; translation · rotation · scale puts it into

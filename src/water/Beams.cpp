@@ -1,5 +1,7 @@
 #include "water/Beams.h"
 
+#include <cmath>
+
 #include "water/FlatWater.h"
 
 namespace limpid {
@@ -16,6 +18,10 @@ LightFrameData lightFrame(const Light& light, const Water& water, const glm::dve
     if (light.type == LightType::Directional && enters) {
         frame.direction = glm::vec4(glm::normalize(light.direction), 0);
         frame.refracted = glm::vec4(refractedAt(light, water, {}), 0);
+    }
+    if (light.isSpot()) {
+        frame.direction = glm::vec4(glm::normalize(light.direction), 0);
+        frame.cone = {std::cos(glm::radians(light.innerCone)), std::cos(glm::radians(light.outerCone)), 0, 0};
     }
     frame.surface = glm::vec4(water.level - origin.y, water.ior, 0, 0);
     return frame;

@@ -78,8 +78,11 @@ std::vector<glm::dvec3> outermost(const Bounds& box, const Light& light) {
 } // namespace
 
 bool entersWater(const Light& light, const Water& water) {
-    return light.type == LightType::Directional ? glm::normalize(light.direction).y < -1e-6
-                                                : light.position.y > water.level + 1.001 * highestWave(water);
+    if (light.type == LightType::Directional) return glm::normalize(light.direction).y < -1e-6;
+    // The lowest ray of a cone whose axis is this far from straight down.
+    const double fromDown = std::acos(std::clamp(-glm::normalize(light.direction).y, -1.0, 1.0));
+    if (light.isSpot() && glm::degrees(fromDown) - light.outerCone >= 90) return false;
+    return light.position.y > water.level + 1.001 * highestWave(water);
 }
 
 glm::dvec3 refractedAt(const Light& light, const Water& water, const glm::dvec3& surface,

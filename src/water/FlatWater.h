@@ -7,7 +7,8 @@
 /// made from. All positions relative to the same origin, m.
 namespace limpid {
 
-/// Whether any light enters the water from above: a sun over the horizon, a lamp over the highest crest.
+/// Whether any light enters the water from above: a sun over the horizon, a lamp over the highest crest whose
+/// cone, if it has one, reaches below the horizon.
 bool entersWater(const Light& light, const Water& water);
 
 /// Where the light that reaches `point` (below the level) under flat water crosses the surface.

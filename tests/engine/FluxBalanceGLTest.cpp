@@ -64,6 +64,26 @@ TEST_F(FluxBalanceGLTest, aLampNearTheWater) {
     EXPECT_LT(share(flux), 0.02) << flux.residual() << " W of " << flux.entering;
 }
 
+TEST_F(FluxBalanceGLTest, aSpotPastTheSphere) {
+    Scene scene = floorPastSphere();
+    Light spot;
+    spot.type = LightType::Point;
+    spot.position = {0.3, 1.5, 0.2};
+    spot.direction = {-0.1, -1, -0.1};
+    spot.innerCone = 8;
+    spot.outerCone = 20;
+    scene.lights = {spot};
+    const Baked baked = bake(scene, true);
+    const FluxBalance& flux = baked.flux.at(0);
+    EXPECT_LT(share(flux), 0.02) << flux.residual() << " W of " << flux.entering;
+    // All of the cone lands on floor and sphere.
+    EXPECT_NEAR(flux.deposited, flux.entering, 0.02 * flux.entering);
+    // The floor's corners see the lamp past the cone.
+    const MapData& floor = baked.maps.at(0);
+    EXPECT_EQ(floor.irradiance.front(), 0);
+    EXPECT_EQ(floor.irradiance.back(), 0);
+}
+
 TEST_F(FluxBalanceGLTest, farFromTheOriginNothingChanges) {
     Scene near = floorPastSphere();
     near.water.waves = {scenes::cosine(0.01, 0.32, {1, 0})};

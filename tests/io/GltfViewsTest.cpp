@@ -72,8 +72,29 @@ TEST(GltfLightsTest, TheBrightestGivesSixWattsAndTheOthersTheirShare) {
     EXPECT_EQ(lights[1].type, LightType::Point);
     expectNear(lights[1].position, {0.5, 2.5, 0});
     expectNear(lights[1].intensity, glm::dvec3(12)); // 3 W/m² from 2 m
-    EXPECT_EQ(lights[2].type, LightType::Point) << "there are no cones";
+    EXPECT_EQ(lights[2].type, LightType::Point);
     expectNear(lights[2].intensity, glm::dvec3(6));
+    EXPECT_FALSE(lights[1].isSpot());
+}
+
+TEST(GltfLightsTest, ASpotHasItsCone) {
+    SmallGltf gltf = triangleGltf();
+    const auto add = [&](json spot) {
+        addLight(gltf, {{"type", "spot"}, {"spot", std::move(spot)}},
+                 {{"translation", {0.5, 2, 0}}, {"rotation", down}});
+    };
+    add(json::object()); // the format's defaults
+    add({{"innerConeAngle", 0.3}, {"outerConeAngle", 0.5}});
+    add({{"innerConeAngle", 0.5}, {"outerConeAngle", 0.5}});
+    add({{"outerConeAngle", 1.6}});
+    const std::vector<Light> lights = load(gltf).lights;
+    ASSERT_EQ(lights.size(), 2u) << "cones that the format does not allow give no light";
+    EXPECT_TRUE(lights[0].isSpot());
+    expectNear(lights[0].direction, {0, -1, 0});
+    EXPECT_NEAR(lights[0].innerCone, 0, tolerance);
+    EXPECT_NEAR(lights[0].outerCone, 45, tolerance);
+    EXPECT_NEAR(lights[1].innerCone, glm::degrees(0.3), tolerance);
+    EXPECT_NEAR(lights[1].outerCone, glm::degrees(0.5), tolerance);
 }
 
 TEST(GltfLightsTest, WhatGivesNoLightIsLeftOut) {
@@ -145,6 +166,21 @@ TEST(ModelAloneTest, HasASunUnlessALightOfItsOwnEntersTheWater) {
     EXPECT_EQ(lights[1].name, "light1");
     EXPECT_EQ(lights[2].name, "light2");
     expectNear(lights[2].irradiance, glm::dvec3(6));
+}
+
+TEST(ModelAloneTest, TakesASpotThatReachesDown) {
+    SmallGltf gltf = triangleGltf();
+    const json spot = {{"type", "spot"}, {"spot", {{"innerConeAngle", 0.1}, {"outerConeAngle", 0.4}}}};
+    addLight(gltf, spot, {{"translation", {0, 2, 0}}, {"rotation", down}});
+    addLight(gltf, spot, {{"translation", {0, 2, 0}}}); // looks along the surface
+    const std::vector<Light> lights = loadAlone(gltf).lights;
+    ASSERT_EQ(lights.size(), 2u);
+    EXPECT_TRUE(lights[0].isSpot());
+    EXPECT_NEAR(lights[0].outerCone, glm::degrees(0.4), tolerance);
+    json& node = gltf.json["nodes"][1];
+    node["rotation"] = {std::sin(0.3), 0, 0, std::cos(0.3)}; // and this one up
+    gltf.json["nodes"][2]["rotation"] = node["rotation"];
+    EXPECT_EQ(loadAlone(gltf).lights.at(0).name, "sun");
 }
 
 TEST(ModelAloneTest, TakesItsOwnCameraIfThatSeesTheModel) {

@@ -83,7 +83,8 @@ const TextCase waves[] = {
 };
 
 const TextCase lights[] = {
-    {"[[light]]\ntype = \"sun\"", "4:8: light.0.type: expected \"directional\" or \"point\", found \"sun\""},
+    {"[[light]]\ntype = \"sun\"",
+     "4:8: light.0.type: expected \"directional\", \"point\" or \"spot\", found \"sun\""},
     {"[[light]]\ndirection = [0, 0, 0]",
      "4:13: light.0.direction: expected a vector of a length > 0, found [0, 0, 0]"},
     {"[[light]]\nangular_diameter = 11",
@@ -93,6 +94,10 @@ const TextCase lights[] = {
     {"[[light]]\ntype = \"point\"", "3:1: light.0.position: expected three numbers, found nothing"},
     {"[[light]]\ntype = \"point\"\nposition = [0, 0, 0]\ndirection = [0, -1, 0]",
      "6:1: light.0.direction: unknown key of a point light, expected one of intensity, name, position, type"},
+    {"[[light]]\ntype = \"spot\"\nposition = [0, 0, 0]\nouter_cone = 91",
+     "6:14: light.0.outer_cone: expected a number > 0 and <= 90, found 91"},
+    {"[[light]]\ntype = \"spot\"\nposition = [0, 0, 0]\ninner_cone = 45",
+     "6:14: light.0.inner_cone: expected a number below outer_cone, found 45"},
     {"[[light]]\nposition = [0, 0, 0]", "4:1: light.0.position: unknown key of a directional light, expected "
                                         "one of angular_diameter, direction, "
                                         "irradiance, name, type"},

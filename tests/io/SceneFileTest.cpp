@@ -77,6 +77,12 @@ angular_diameter = 0.53
 type = "point"
 position = [1, 2, 3]
 intensity = [4, 5, 6]
+[[light]]
+type = "spot"
+position = [1, 2, 3]
+direction = [0, -2, 1]
+inner_cone = 10
+outer_cone = 20
 [[receiver]]
 name = "floor"
 plane = { size = [2, 3] }
@@ -139,7 +145,7 @@ TEST(SceneFileTest, ReadsWaves) {
 
 TEST(SceneFileTest, ReadsLightsSkyAndSettings) {
     const Scene scene = load(std::string(full));
-    ASSERT_EQ(scene.lights.size(), 2u);
+    ASSERT_EQ(scene.lights.size(), 3u);
     EXPECT_EQ(scene.lights[0].name, "sun");
     EXPECT_EQ(scene.lights[0].direction, glm::dvec3(1, -2, 0));
     EXPECT_EQ(scene.lights[0].irradiance, glm::dvec3(3, 2, 1));
@@ -148,6 +154,11 @@ TEST(SceneFileTest, ReadsLightsSkyAndSettings) {
     EXPECT_EQ(scene.lights[1].type, LightType::Point);
     EXPECT_EQ(scene.lights[1].position, glm::dvec3(1, 2, 3));
     EXPECT_EQ(scene.lights[1].intensity, glm::dvec3(4, 5, 6));
+    EXPECT_FALSE(scene.lights[1].isSpot());
+    EXPECT_TRUE(scene.lights[2].isSpot());
+    EXPECT_EQ(scene.lights[2].direction, glm::dvec3(0, -2, 1));
+    EXPECT_EQ(scene.lights[2].innerCone, 10);
+    EXPECT_EQ(scene.lights[2].outerCone, 20);
     EXPECT_EQ(scene.skyRadiance, glm::dvec3(1, 2, 3));
     EXPECT_EQ(scene.ambientRadiance, glm::dvec3(4, 5, 6));
     EXPECT_EQ(scene.caustics.method, Method::LevelMap);
