@@ -6,6 +6,7 @@
 #include "include/water_height.glsl"
 #include "include/receiver_fragment.glsl"
 #include "include/surface_shadow.glsl"
+#include "include/lamp_shadow.glsl"
 layout(binding = 1) uniform sampler2D castMap;
 layout(location = 0) uniform int underwater;   // 1: shows what is below the surface, 0: what is above it
 layout(location = 1) uniform int withAmbient;  // once for each receiver
@@ -16,6 +17,7 @@ layout(location = 0) out vec4 outRadiance;
 layout(location = 1) out vec4 outPosition;
 
 layout(binding = 4) uniform sampler2D normalTexture; // tangent space, glTF
+layout(binding = 7) uniform sampler2D lampShadow;    // of a lamp under water
 
 const float pi = 3.14159265358979;
 
@@ -64,15 +66,15 @@ vec3 castIrradiance(vec3 faceNormal) {
 }
 
 // Irradiance by a light that crosses no surface on its way, W/m².
-vec3 straightIrradiance(vec3 normal) {
+vec3 straightIrradiance(vec3 normal, vec3 face) {
     vec3 position = fragmentIn.position;
     vec3 direction = incidentDirection(position);
     float metres = isPointLight() ? distance(position, lightPosition.xyz) : 0.0;
     vec3 arriving = strength * (isPointLight() ? intensityShare(position) / max(metres * metres, 1e-12) : 1.0);
     if (underwater != 0) arriving *= extinction(waterExtinction.rgb, metres);
+    if (underwater != 0) return arriving * lampVisibility(lampShadow, position, face) * max(-dot(normal, direction), 0.0);
     float footprint = max(surfaceShadowRect.z, surfaceShadowRect.w) / float(textureSize(surfaceShadow, 0).x);
-    float lit = underwater != 0 ? 1.0 : surfaceVisibility(position, 6.0 * footprint);
-    return arriving * lit * max(-dot(normal, direction), 0.0);
+    return arriving * surfaceVisibility(position, 6.0 * footprint) * max(-dot(normal, direction), 0.0);
 }
 
 void main() {
@@ -95,7 +97,7 @@ void main() {
         lit = lit && belongsToMap(face);
         if (lit) irradiance = castIrradiance(face) * smoothing;
     }
-    if (strength != vec3(0.0)) irradiance += straightIrradiance(shading);
+    if (strength != vec3(0.0)) irradiance += straightIrradiance(shading, face);
     vec3 albedo = baseColor().rgb;
     vec3 radiance = albedo / pi * irradiance + (withAmbient != 0 ? albedo * ambientRadiance.rgb : vec3(0.0));
     if (underwater != 0 && way == straight) {

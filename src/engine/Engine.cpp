@@ -290,12 +290,25 @@ FluxBalance Engine::auditFlux(int index) {
         _scene.caustics.method == Method::ExactBeam ? FluxAudit::Shade::Own : FluxAudit::Shade::Mean);
 }
 
+/// A lamp under water makes no caustic, so only pictures need to know what it sees; that rests.
+void Engine::drawLampShadows() {
+    for (std::size_t i = 0; i < _lights.size(); ++i) {
+        LightState& state = _lights[i];
+        if ((_reuse && state.lampShadow.id()) || !isSubmerged(_scene.lights[i], _scene.water)) continue;
+        if (!_lampShadowPass) _lampShadowPass = std::make_unique<LampShadowPass>(_context);
+        Scope scope(_timers, "lamp shadow");
+        _lampShadowPass->draw(state.lampShadow, state.beams, _receivers);
+        state.beams.lampShadow = &state.lampShadow;
+    }
+}
+
 Picture Engine::render(double time, glm::ivec2 size) {
     updateCaustics(time);
     return draw(size);
 }
 
 Picture Engine::draw(glm::ivec2 size) {
+    drawLampShadows();
     if (!_picturePass) _picturePass = std::make_unique<PicturePass>(_context);
     Scope scope(_timers, "picture");
     std::vector<Lit> lit;

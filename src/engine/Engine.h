@@ -11,6 +11,7 @@
 #include "caustics/Volumetric.h"
 #include "gl/Context.h"
 #include "gl/TimerQuery.h"
+#include "levelmap/LampShadow.h"
 #include "levelmap/LevelMap.h"
 #include "levelmap/ReceiverGeometry.h"
 #include "levelmap/SceneDepthMap.h"
@@ -28,6 +29,7 @@ struct LightState {
     Beams beams;
     SceneDepth sceneDepth;
     gl::Texture surfaceShadow; ///< empty if nothing stands out of the water
+    gl::Texture lampShadow;    ///< empty unless a lamp is under water and a picture shows it
     double farthest = 1;       ///< m of water to the farthest receiver, at most
 };
 
@@ -100,6 +102,7 @@ class Engine {
     void drawSlices(ReceiverMaps& maps);
     void freeMaps();
     void drawSceneDepth(int light);
+    void drawLampShadows();
     bool needsSceneDepth(int light) const;
 
     gl::Context& _context;
@@ -115,7 +118,8 @@ class Engine {
     ExactBeams _exactBeams;
     std::unique_ptr<Volumetric> _volumetric; ///< made when a scene asks for it
     FluxAudit _fluxAudit;
-    std::unique_ptr<PicturePass> _picturePass; ///< made for the first picture: a bake needs none
+    std::unique_ptr<PicturePass> _picturePass;       ///< made for the first picture: a bake needs none
+    std::unique_ptr<LampShadowPass> _lampShadowPass; ///< made for the first lamp under water in one
 
     bool _skipping = true, _reuse = true;
     bool _staticReady = false;

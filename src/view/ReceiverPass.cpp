@@ -1,5 +1,7 @@
 #include "view/ReceiverPass.h"
 
+#include "water/FlatWater.h"
+
 namespace limpid {
 
 namespace {
@@ -41,10 +43,10 @@ void ReceiverPass::addCaustics(const Inputs& inputs, std::size_t receiver) {
 void ReceiverPass::addDirectLight(const Inputs& inputs, std::size_t receiver, Side side) {
     for (std::size_t i = 0; i < inputs.scene.lights.size(); ++i) {
         const Light& light = inputs.scene.lights[i];
-        const bool sunken = light.type == LightType::Point && light.position.y < inputs.scene.water.level;
-        if (sunken != (side == Side::Below)) continue;
+        if (isSubmerged(light, inputs.scene.water) != (side == Side::Below)) continue;
         inputs.lights[i]->frame.bindUniform(0);
         if (inputs.lights[i]->surfaceShadow) inputs.lights[i]->surfaceShadow->bind(surfaceShadowUnit);
+        if (inputs.lights[i]->lampShadow) inputs.lights[i]->lampShadow->bind(lampShadowUnit);
         _receiver.set(Strength,
                       glm::vec3(light.type == LightType::Point ? light.intensity : light.irradiance));
         inputs.receivers[receiver].draw(_receiver, GL_PATCHES);

@@ -22,6 +22,8 @@ LightFrameData lightFrame(const Light& light, const Water& water, const glm::dve
 
 /// Texture unit of the surface shadow map, as shaders/include/surface_shadow.glsl has it.
 inline constexpr GLuint surfaceShadowUnit = 3;
+/// Texture unit of a lamp shadow map, as shaders/view/receiver.frag has it.
+inline constexpr GLuint lampShadowUnit = 7;
 
 /// The illumination volumes of one light (thesis eq. 4-14): every method reads only these. Beam i is the
 /// prism of refracted rays through the corners of water triangle i.
@@ -33,6 +35,7 @@ struct Beams {
     gl::Buffer lit;   ///< a triangle: float, the share of its flux that things above the water leave
     gl::Buffer frame; ///< LightFrameData
     const gl::Texture* surfaceShadow = nullptr; ///< what those things leave dark; null if there are none
+    const gl::Texture* lampShadow = nullptr;    ///< what a lamp under water sees; null for any other light
     glm::vec4 rect{0, 0, 1, 1};                 ///< sceneDepthRect of `frame`
     glm::dvec3 strength{0}; ///< RGB, W/m² or W/sr; 0 for a light that does not enter the water
     int vertexCount = 0;

@@ -85,6 +85,10 @@ bool entersWater(const Light& light, const Water& water) {
     return light.position.y > water.level + 1.001 * highestWave(water);
 }
 
+bool isSubmerged(const Light& light, const Water& water) {
+    return light.type == LightType::Point && light.position.y < water.level;
+}
+
 glm::dvec3 refractedAt(const Light& light, const Water& water, const glm::dvec3& surface,
                        const glm::dvec3& normal) {
     const glm::dvec3 incident = directionTo(light, surface);

@@ -11,6 +11,9 @@ namespace limpid {
 /// cone, if it has one, reaches below the horizon.
 bool entersWater(const Light& light, const Water& water);
 
+/// Whether a light is a lamp below the level: it lights directly and makes no caustic.
+bool isSubmerged(const Light& light, const Water& water);
+
 /// Where the light that reaches `point` (below the level) under flat water crosses the surface.
 /// `light` must enter the water.
 glm::dvec3 entryPoint(const Light& light, const Water& water, const glm::dvec3& point);

@@ -1,0 +1,11 @@
+// A receiver in one of the six views of a lamp (lamp_shadow.glsl).
+#include "include/lamp_shadow.glsl"
+#include "include/receiver_vertex.glsl"
+layout(location = 0) uniform int face;
+
+void main() {
+    passVertex();
+    vec3 way = inPosition - lightPosition.xyz;
+    ivec3 axes = lampAxes(face);
+    gl_Position = vec4(way[axes.y], way[axes.z], 0.0, face % 2 == 0 ? way[axes.x] : -way[axes.x]);
+}

@@ -1,0 +1,33 @@
+#include "levelmap/LampShadow.h"
+
+namespace limpid {
+
+namespace {
+constexpr int side = 1024; // texels of each view: 0.1°
+enum Uniform { Face };
+} // namespace
+
+LampShadowPass::LampShadowPass(gl::Context& context)
+    : _context(context),
+      _program({"levelmap/lamp_shadow.vert", "levelmap/face.geom", "levelmap/lamp_shadow.frag"}) {}
+
+void LampShadowPass::draw(gl::Texture& map, const Beams& beams, std::span<const ReceiverGeometry> receivers) {
+    if (!map.id()) map = gl::Texture(_context.ledger(), "lamp shadow map", GL_R32F, {3 * side, 2 * side});
+    const gl::Texture* const targets[] = {&map};
+    const gl::Framebuffer framebuffer("lamp shadow map", targets);
+    framebuffer.bind();
+    framebuffer.clearColor(0, glm::vec4(1e30f));
+    beams.frame.bindUniform(0);
+    glEnable(GL_BLEND);
+    glBlendEquation(GL_MIN);
+    for (int face = 0; face < 6; ++face) {
+        glViewport(side * (face % 3), side * (face / 3), side, side);
+        _program.set(Face, face);
+        for (const ReceiverGeometry& receiver : receivers)
+            receiver.draw(_program);
+    }
+    glBlendEquation(GL_FUNC_ADD);
+    glDisable(GL_BLEND);
+}
+
+} // namespace limpid

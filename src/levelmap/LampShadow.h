@@ -1,0 +1,26 @@
+#pragma once
+#include <span>
+
+#include "gl/Context.h"
+#include "gl/Handles.h"
+#include "gl/Program.h"
+#include "levelmap/ReceiverGeometry.h"
+#include "water/Beams.h"
+
+namespace limpid {
+
+/// What a lamp under water sees first, in all directions (shaders/include/lamp_shadow.glsl). R32F: metres
+/// from the lamp to the first receiver below the level, 1e30 for none.
+class LampShadowPass {
+  public:
+    explicit LampShadowPass(gl::Context& context);
+
+    /// `beams.frame` says where the lamp is.
+    void draw(gl::Texture& map, const Beams& beams, std::span<const ReceiverGeometry> receivers);
+
+  private:
+    gl::Context& _context;
+    gl::Program _program;
+};
+
+} // namespace limpid
