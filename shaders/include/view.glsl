@@ -49,7 +49,8 @@ vec3 seenFrom(vec3 point, int way) {
     return way == mirrored ? mirror(cameraPosition.xyz) : viewCrossing(point);
 }
 
-// Clip coordinates of a point seen one way. Depth is by perspective; through the surface, by metres beyond it.
+// Clip coordinates of a point seen one way; depth runs from 1 near by to 0 far away. It is by perspective; through the
+// surface, by metres beyond it.
 vec4 viewClip(vec3 point, int way) {
     if (way == straight) return viewProjection * vec4(point, 1.0);
     // A triangle through the surface must not kink there: what is this side of it is seen straight.
@@ -57,6 +58,6 @@ vec4 viewClip(vec3 point, int way) {
     vec3 seenAt = way == mirrored ? mirror(point) : beyond ? viewCrossing(point) : point;
     vec4 clip = viewProjection * vec4(seenAt, 1.0);
     clip.xy *= viewWater.z;
-    if (way == refracted) clip.z = 1.8 * (distance(point, seenAt) / waterExtinction.w - 0.5) * clip.w;
+    if (way == refracted) clip.z = (0.95 - 0.9 * distance(point, seenAt) / waterExtinction.w) * clip.w;
     return clip;
 }

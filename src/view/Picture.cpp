@@ -20,8 +20,22 @@ struct View {
         target = gl::Framebuffer(kind, targets, &depth);
         target.clearColor(0, background);
         target.clearColor(1, {0, 0, 0, 1e30f});
-        target.clearDepth(1);
+        target.clearDepth(0);
     }
+};
+
+/// While it lives, depth runs from 1 near by to 0 far away (shaders/include/view.glsl).
+struct NearIsOne {
+    NearIsOne() {
+        glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+        glDepthFunc(GL_GREATER);
+    }
+    ~NearIsOne() {
+        glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
+        glDepthFunc(GL_LESS);
+    }
+    NearIsOne(const NearIsOne&) = delete;
+    NearIsOne& operator=(const NearIsOne&) = delete;
 };
 
 /// Average of each pixel's samples; OpenGL counts rows from the bottom, a picture from the top.
@@ -56,6 +70,7 @@ Picture PicturePass::draw(const Inputs& inputs, glm::ivec2 size) {
         viewFrame(inputs.scene, inputs.origin, inputs.patch, inputs.surface, inputs.sides, samples);
     const gl::Buffer view(ledger, "view", sizeof(frame), &frame);
     view.bindUniform(viewBinding);
+    const NearIsOne reversed;
     const Side nearSide = frame.cameraAbove() ? Side::Above : Side::Below;
     const Side farSide = frame.cameraAbove() ? Side::Below : Side::Above;
 

@@ -59,7 +59,7 @@ void ReceiverPass::draw(const Inputs& inputs, const gl::Framebuffer& target, Sid
     target.bind();
     inputs.surfacePositions.bindStorage(surfaceBinding);
     glEnable(GL_DEPTH_TEST);
-    glDepthFunc(GL_LEQUAL);
+    glDepthFunc(GL_GEQUAL);
     glPatchParameteri(GL_PATCH_VERTICES, 3);
     _receiver.set(Underwater, side == Side::Below ? 1 : 0);
     _receiver.set(WayUniform, int(way));
@@ -75,7 +75,7 @@ void ReceiverPass::draw(const Inputs& inputs, const gl::Framebuffer& target, Sid
         addDirectLight(inputs, i, side);
         glDisablei(GL_BLEND, 0);
     }
-    glDepthFunc(GL_LESS);
+    glDepthFunc(GL_GREATER);
     glDisable(GL_DEPTH_TEST);
 }
 

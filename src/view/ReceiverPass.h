@@ -38,8 +38,8 @@ class ReceiverPass {
     };
     /// Makes the caustic maps ready to be projected; `draw` shows these.
     void prepare(const Inputs& inputs);
-    /// Adds to `target`: radiance and position (shaders/view/receiver.frag), depth; all cleared by the
-    /// caller. The view frame is bound.
+    /// Adds to `target`: radiance and position (shaders/view/receiver.frag), depth (1 near by, 0 far
+    /// away); all cleared by the caller. The view frame is bound.
     void draw(const Inputs& inputs, const gl::Framebuffer& target, Side side, Way way);
 
   private:

@@ -92,8 +92,14 @@ glm::dvec3 deepRadiance(const Scene& scene) {
 }
 
 glm::dmat4 viewProjection(const Camera& camera, const glm::dvec3& position, double near, glm::ivec2 size) {
-    const glm::dmat4 projection =
-        glm::infinitePerspective(glm::radians(camera.verticalFov), double(size.x) / double(size.y), near);
+    // Depth is near / distance: 1 at the near plane, 0 far away. Floats are as fine near 0 as depths are
+    // close together there, so that a tenth of a millimetre counts at any distance.
+    const double focus = 1 / std::tan(0.5 * glm::radians(camera.verticalFov));
+    glm::dmat4 projection(0);
+    projection[0][0] = focus * size.y / size.x;
+    projection[1][1] = focus;
+    projection[2][3] = -1;
+    projection[3][2] = near;
     const glm::dvec3 way = *camera.target - *camera.position;
     // Looking along `up`, any other axis serves.
     const bool vertical = glm::length(glm::cross(glm::normalize(way), glm::normalize(camera.up))) < 1e-6;

@@ -54,7 +54,7 @@ void WaterPass::drawHorizon(const Inputs& inputs) {
 }
 
 void WaterPass::addGlitter(const Inputs& inputs) {
-    glDepthFunc(GL_LEQUAL);
+    glDepthFunc(GL_GEQUAL);
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE);
     for (std::size_t i = 0; i < inputs.scene.lights.size(); ++i) {
@@ -67,7 +67,7 @@ void WaterPass::addGlitter(const Inputs& inputs) {
         drawGrid(inputs);
     }
     glDisable(GL_BLEND);
-    glDepthFunc(GL_LESS);
+    glDepthFunc(GL_GREATER);
 }
 
 /// First what shines through and what is mirrored, then each sun's glitter on top.

@@ -103,6 +103,22 @@ TEST_F(PictureTest, anUnlitSceneShowsAmbientAlone) {
     EXPECT_NEAR(at(picture, 8, 6).x / expected, 1, 0.005);
 }
 
+TEST_F(PictureTest, aSheetAHairOverTheFloorHidesIt) {
+    // The default scene's floor lies 1e-4 of a model's extent under it.
+    Scene scene = floorFromAbove();
+    scene.receivers = {
+        scenes::shape("floor", makePlane(glm::dvec2(6), glm::vec3(0, 0, 0.8f)), {0, -1, 0}),
+        scenes::shape("sheet", makePlane(glm::dvec2(4), glm::vec3(0.8f, 0, 0)), {0, -1 + 1e-4, 0})};
+    scene.water.level = -4;
+    scene.skyRadiance = glm::dvec3(0);
+    scene.camera.position = {0, 1, 3};
+    scene.camera.target = {0, -1, 0};
+    scene.camera.verticalFov = 20;
+    const Picture picture = render(scene, {64, 48});
+    for (std::size_t i = 0; i < picture.rgb.size(); i += 3)
+        EXPECT_EQ(picture.rgb[i + 2], 0) << "pixel " << i / 3;
+}
+
 TEST_F(PictureTest, twoHalfLightsLookLikeOne) {
     Scene scene = floorFromAbove();
     scene.receivers.push_back(scenes::model("fish", -1));
