@@ -1,7 +1,7 @@
 // A ray from the surface, followed through a view of the receivers until it meets what the view holds. Flat water
 // meets it at the first look; waves turn the ray aside, and the view says what is there.
-// A view: RGBA32F radiance, alpha the share of receivers in the texel; RGBA32F position, w = metres from where it is
-// seen (seenFrom), 1e30 where nothing is.
+// A view: RGBA32F radiance, alpha the share of receivers in the texel; R32F metres from where it is seen (seenFrom),
+// below 0 where nothing is.
 #include "include/view.glsl"
 
 const float nothing = 1e29;
@@ -26,11 +26,11 @@ vec2 withinBox(vec3 from, vec3 direction, vec3 low, vec3 high) {
 }
 
 // How far the point lies behind what the view shows in its place, m; -nothing where it shows nothing.
-float behind(sampler2D positions, vec3 point, int way) {
+float behind(sampler2D distances, vec3 point, int way) {
     vec2 uv = viewUv(point, way);
     if (any(lessThan(uv, vec2(0.0))) || any(greaterThan(uv, vec2(1.0)))) return -nothing;
-    float first = texelFetch(positions, ivec2(uv * vec2(textureSize(positions, 0))), 0).w;
-    return first > nothing ? -nothing : distance(point, seenFrom(point, way)) - first;
+    float first = texelFetch(distances, ivec2(uv * vec2(textureSize(distances, 0))), 0).x;
+    return first < 0.0 ? -nothing : distance(point, seenFrom(point, way)) - first;
 }
 
 Met metAt(sampler2D radiances, vec3 from, vec3 direction, float metres, int way) {
@@ -39,29 +39,29 @@ Met metAt(sampler2D radiances, vec3 from, vec3 direction, float metres, int way)
 }
 
 // `low` and `high` bound all receivers of the view; `from` lies on the water, `direction` is unit.
-Met followView(sampler2D radiances, sampler2D positions, int way, vec3 from, vec3 direction, vec3 low, vec3 high) {
+Met followView(sampler2D radiances, sampler2D distances, int way, vec3 from, vec3 direction, vec3 low, vec3 high) {
     vec2 within = withinBox(from, direction, low, high);
     if (within.x >= within.y) return Met(vec4(0.0), 0.0);
     // Looks are evenly spaced in the view, two texels apart or more: a stretch t of the ray seen from `away` moves by
     // t / (t + away) of all it will ever move.
     float away = max(distance(from, cameraPosition.xyz), 1e-6);
     vec2 span = within / (within + away);
-    vec2 moved = (viewUv(from + within.y * direction, way) - viewUv(from + within.x * direction, way)) * vec2(textureSize(positions, 0));
+    vec2 moved = (viewUv(from + within.y * direction, way) - viewUv(from + within.x * direction, way)) * vec2(textureSize(distances, 0));
     int looks = int(clamp(ceil(0.5 * length(moved)), way == mirrored ? 1.0 : 4.0, float(mostLooks)));
     float before = within.x;
-    float atBefore = behind(positions, from + before * direction, way);
+    float atBefore = behind(distances, from + before * direction, way);
     // Where it ends behind something, the view cannot say what it met: what was last in the open is next to that.
     float open = -1.0, beyond = 0.0;
     bool hidden = false;
     for (int i = 0; i <= looks; ++i) {
         float share = mix(span.x, span.y, float(i) / float(looks));
         float here = min(away * share / (1.0 - share), within.y);
-        float atHere = i == 0 ? atBefore : behind(positions, from + here * direction, way);
+        float atHere = i == 0 ? atBefore : behind(distances, from + here * direction, way);
         // Behind it, but not by more than it has gone since the last look: it went in, and did not pass behind.
         if (atHere >= 0.0 && atHere <= 1.01 * (here - before) + 5e-3 * (here + away)) {
             for (int k = 0; k < halvings && i > 0; ++k) {
                 float middle = 0.5 * (before + here);
-                if (behind(positions, from + middle * direction, way) >= 0.0) here = middle;
+                if (behind(distances, from + middle * direction, way) >= 0.0) here = middle;
                 else before = middle;
             }
             return metAt(radiances, from, direction, here, way);

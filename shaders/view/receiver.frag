@@ -1,7 +1,6 @@
 // A receiver lit by one of its caustic maps (thesis 4.6, eq. 4-19; further lights are added, eq. 4-20).
-// Out 0, RGBA32F: radiance that leaves the receiver, W/(m² sr); alpha 1.
-// Out 1, RGBA32F: position, m from the scene's origin; metres from where it is seen: the camera, its mirror image, or
-//        where the view ray crosses the surface.
+// Out 0, RGBA32F: radiance that leaves the receiver, W/(m² sr), times alpha; alpha, 1 for what is not blended.
+// Out 1, R32F: metres from where it is seen: the camera, its mirror image, or where the view ray crosses the surface.
 #include "include/facing.glsl"
 #include "include/water_height.glsl"
 #include "include/receiver_fragment.glsl"
@@ -13,12 +12,15 @@ layout(location = 1) uniform int withAmbient;  // once for each receiver
 layout(location = 2) uniform int withCaustics; // castMap and BoxFrame are bound
 layout(location = 3) uniform vec3 strength;    // of a light that comes straight, W/m² or W/sr; LightFrame is bound
 layout(location = 4) uniform int way;          // straight, refracted or mirrored
+layout(location = 5) uniform int sheerSide;    // 0: what hides all behind it; of what is blended with that, 1: faces
+                                               // seen from the front, -1: from the back
 layout(location = 0) out vec4 outRadiance;
-layout(location = 1) out vec4 outPosition;
+layout(location = 1) out float outMetres;
 
 layout(binding = 4) uniform sampler2D normalTexture; // tangent space, glTF
 layout(binding = 7) uniform sampler2D lampShadow;    // of a lamp under water
 
+const float solidAlpha = 254.5 / 255.0; // as in levelmap/ReceiverGeometry.h
 const float pi = 3.14159265358979;
 
 // Interpolated normal, turned by the normal map. Tangents come from how position and uv change over the screen
@@ -86,6 +88,9 @@ void main() {
     if (isHole() || (underwater != 0 ? over > overlap : over < -overlap)) discard;
     vec3 face = fragmentIn.faceNormal;
     vec3 shading = shadingNormal(face);
+    float turned = dot(face, view) < 0.0 ? -1.0 : 1.0;
+    float alpha = sheerSide != 0 ? baseColor().a : 1.0;
+    if (sheerSide != 0 && (turned != float(sheerSide) || alpha >= solidAlpha)) discard;
 
     vec3 irradiance = vec3(0.0);
     if (withCaustics != 0) {
@@ -97,13 +102,13 @@ void main() {
         lit = lit && belongsToMap(face);
         if (lit) irradiance = castIrradiance(face) * smoothing;
     }
-    if (strength != vec3(0.0)) irradiance += straightIrradiance(shading, face);
+    if (strength != vec3(0.0)) irradiance += straightIrradiance(turned * shading, face);
     vec3 albedo = baseColor().rgb;
     vec3 radiance = albedo / pi * irradiance + (withAmbient != 0 ? albedo * ambientRadiance.rgb : vec3(0.0));
     if (underwater != 0 && way == straight) {
         vec3 left = extinction(waterExtinction.rgb, length(view));
         radiance = radiance * left + (withAmbient != 0 ? deepRadiance.rgb * (1.0 - left) : vec3(0.0));
     }
-    outRadiance = vec4(radiance, withAmbient != 0 ? 1.0 : 0.0); // once, however many lights add to it
-    outPosition = vec4(position, length(view));
+    outRadiance = vec4(radiance * alpha, withAmbient != 0 ? alpha : 0.0); // once, however many lights add to it
+    outMetres = length(view);
 }

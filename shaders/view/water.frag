@@ -4,9 +4,9 @@
 #include "include/surface_shadow.glsl"
 #include "include/follow_view.glsl"
 layout(binding = 0) uniform sampler2D refractedRadiance;
-layout(binding = 1) uniform sampler2D refractedPosition;
+layout(binding = 1) uniform sampler2D refractedDistance;
 layout(binding = 5) uniform sampler2D mirroredRadiance;
-layout(binding = 6) uniform sampler2D mirroredPosition;
+layout(binding = 6) uniform sampler2D mirroredDistance;
 layout(location = 0) uniform vec4 hole; // x, z of a corner and extents of what another draw call fills; extent 0: none
 layout(location = 2) uniform vec3 sun; // W/m² facing it: adds only this light's glitter; its LightFrame is bound
 in vec3 position;
@@ -27,9 +27,9 @@ vec3 radianceBelow(vec3 from, vec3 direction) {
     for (int i = 0; i < steps; ++i) {
         vec3 point = from + metres * direction;
         vec2 uv = viewUv(point, refracted);
-        float first = texture(refractedPosition, clamp(uv, 0.0, 1.0)).w;
+        float first = texture(refractedDistance, clamp(uv, 0.0, 1.0)).x;
         float here = distance(point, viewCrossing(point));
-        if (first > nothing) {
+        if (first < 0.0) {
             metres += 2.0 * leap;
             continue;
         }
@@ -50,7 +50,7 @@ vec3 radianceMirrored(vec3 from, vec3 direction) {
     if (nearSideMin.w < 0.5) return beyond;
     // A ray that a steep wave throws at the next one: that sends it up again.
     direction.y = cameraAbove() ? abs(direction.y) : -abs(direction.y);
-    Met met = followView(mirroredRadiance, mirroredPosition, mirrored, from, direction, nearSideMin.xyz, nearSideMax.xyz);
+    Met met = followView(mirroredRadiance, mirroredDistance, mirrored, from, direction, nearSideMin.xyz, nearSideMax.xyz);
     vec3 receivers = cameraAbove() ? met.radiance.rgb : throughWater(met.radiance.rgb, met.metres);
     return mix(beyond, receivers, met.radiance.a);
 }
@@ -58,7 +58,7 @@ vec3 radianceMirrored(vec3 from, vec3 direction) {
 // Radiance that comes down the refracted view ray of a camera under water.
 vec3 radianceAbove(vec3 from, vec3 direction) {
     if (farSideMin.w < 0.5) return skyRadiance.rgb;
-    Met met = followView(refractedRadiance, refractedPosition, refracted, from, direction, farSideMin.xyz, farSideMax.xyz);
+    Met met = followView(refractedRadiance, refractedDistance, refracted, from, direction, farSideMin.xyz, farSideMax.xyz);
     return mix(skyRadiance.rgb, met.radiance.rgb, met.radiance.a);
 }
 

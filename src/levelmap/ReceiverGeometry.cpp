@@ -15,15 +15,15 @@ struct Vertex {
 enum MaterialUniform { BaseColorFactor = 16, AlphaCutoff = 17, NormalScale = 18 };
 constexpr GLuint baseColorUnit = 0, normalMapUnit = 4;
 
-/// A blended surface takes light and hides what is behind it where it is more there than not.
-float alphaCutoff(const Material& material) {
+/// Alpha below it is a hole; 0: none.
+float alphaCutoff(const Material& material, float ofBlended) {
     switch (material.alphaMode) {
     case AlphaMode::Opaque:
         return 0;
     case AlphaMode::Mask:
         return material.alphaCutoff;
     case AlphaMode::Blend:
-        return 0.5f;
+        return ofBlended;
     }
     return 0;
 }
@@ -63,6 +63,13 @@ std::vector<Vertex> worldVertices(const Receiver& receiver, const glm::dvec3& or
     }
     return vertices;
 }
+
+Bounds boundsOf(const Receiver& receiver, const MeshPart& part) {
+    Bounds bounds;
+    for (std::uint32_t i = 0; i < part.indexCount; ++i)
+        bounds.add(receiver.toWorld(receiver.mesh->positions[receiver.mesh->indices[part.firstIndex + i]]));
+    return bounds;
+}
 } // namespace
 
 ReceiverGeometry::ReceiverGeometry(gl::Context& context, const Receiver& receiver, const glm::dvec3& origin)
@@ -77,6 +84,12 @@ ReceiverGeometry::ReceiverGeometry(gl::Context& context, const Receiver& receive
     _vertexArray.byteAttribute(3, _vertices, offsetof(Vertex, color), sizeof(Vertex));
     _vertexArray.indices(_indices);
     uploadImages(ledger, *receiver.mesh);
+    for (std::size_t i = 0; i < _parts.size(); ++i) {
+        const Material& material = _materials[std::size_t(_parts[i].material)];
+        if (material.alphaMode != AlphaMode::Blend) continue;
+        const glm::dvec3 center = boundsOf(receiver, _parts[i]).center();
+        _sheerParts.push_back({i, glm::vec3(center - origin)});
+    }
 }
 
 void ReceiverGeometry::uploadImages(gl::Ledger& ledger, const Mesh& mesh) {
@@ -93,22 +106,35 @@ void ReceiverGeometry::uploadImages(gl::Ledger& ledger, const Mesh& mesh) {
     _white.upload(GL_RGBA, GL_UNSIGNED_BYTE, white.data());
 }
 
-void ReceiverGeometry::draw(const gl::Program& program, GLenum primitive) const {
+void ReceiverGeometry::drawPart(std::size_t index, const gl::Program& program, GLenum primitive,
+                                float cutoff) const {
+    const MeshPart& part = _parts[index];
+    const Material& material = _materials[std::size_t(part.material)];
+    program.set(BaseColorFactor, material.baseColor);
+    program.set(AlphaCutoff, cutoff);
+    program.set(NormalScale, material.normalImage >= 0 ? material.normalScale : 0.0f);
+    bindTexture(material.baseColorImage >= 0 ? _images[std::size_t(material.baseColorImage)] : _white,
+                baseColorUnit, material);
+    if (material.normalImage >= 0)
+        bindTexture(_images[std::size_t(material.normalImage)], normalMapUnit, material);
     program.use();
     _vertexArray.bind();
-    for (const MeshPart& part : _parts) {
-        const Material& material = _materials[std::size_t(part.material)];
-        program.set(BaseColorFactor, material.baseColor);
-        program.set(AlphaCutoff, alphaCutoff(material));
-        program.set(NormalScale, material.normalImage >= 0 ? material.normalScale : 0.0f);
-        bindTexture(material.baseColorImage >= 0 ? _images[std::size_t(material.baseColorImage)] : _white,
-                    baseColorUnit, material);
-        if (material.normalImage >= 0)
-            bindTexture(_images[std::size_t(material.normalImage)], normalMapUnit, material);
-        glDrawElements(
-            primitive, GLsizei(part.indexCount), GL_UNSIGNED_INT,
-            reinterpret_cast<const void*>(std::uintptr_t(part.firstIndex) * sizeof(std::uint32_t)));
-    }
+    glDrawElements(primitive, GLsizei(part.indexCount), GL_UNSIGNED_INT,
+                   reinterpret_cast<const void*>(std::uintptr_t(part.firstIndex) * sizeof(std::uint32_t)));
+}
+
+void ReceiverGeometry::drawPart(std::size_t part, const gl::Program& program, GLenum primitive) const {
+    drawPart(part, program, primitive, 0);
+}
+
+void ReceiverGeometry::draw(const gl::Program& program, GLenum primitive) const {
+    for (std::size_t i = 0; i < _parts.size(); ++i)
+        drawPart(i, program, primitive, alphaCutoff(_materials[std::size_t(_parts[i].material)], 0.5f));
+}
+
+void ReceiverGeometry::drawSolid(const gl::Program& program, GLenum primitive) const {
+    for (std::size_t i = 0; i < _parts.size(); ++i)
+        drawPart(i, program, primitive, alphaCutoff(_materials[std::size_t(_parts[i].material)], solidAlpha));
 }
 
 std::vector<glm::dvec3> pointsOfSide(const Receiver& receiver, double level, Side side) {

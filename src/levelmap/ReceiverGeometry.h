@@ -10,16 +10,32 @@
 
 namespace limpid {
 
+/// Alpha from which something blended hides all that is behind it: the last of 256 steps. The shader
+/// view/receiver.frag has it too.
+inline constexpr float solidAlpha = 254.5f / 255;
+
 /// A receiver on the GPU.
-/// Vertex: float[3] position, m from the scene's origin; float[3] shading normal; float[2] uv; 32-bit
-/// indices.
+/// Vertex: float[3] position, m from the scene's origin; float[3] shading normal; float[2] uv; four bytes of
+/// linear colour; 32-bit indices.
 class ReceiverGeometry {
   public:
     ReceiverGeometry(gl::Context& context, const Receiver& receiver, const glm::dvec3& origin);
 
     /// Draws all triangles; the material is what shaders/include/receiver_fragment.glsl takes.
     /// `primitive` is GL_TRIANGLES, or GL_PATCHES for a program that tessellates.
+    /// What is blended counts as solid where it is more there than not, and else as a hole.
     void draw(const gl::Program& program, GLenum primitive = GL_TRIANGLES) const;
+    /// The same without what is blended and lets something show through.
+    void drawSolid(const gl::Program& program, GLenum primitive = GL_TRIANGLES) const;
+    /// One part, with nothing taken for a hole.
+    void drawPart(std::size_t part, const gl::Program& program, GLenum primitive = GL_TRIANGLES) const;
+
+    /// A part of a material that is blended.
+    struct SheerPart {
+        std::size_t part;
+        glm::vec3 center; ///< of its bounds, m from the scene's origin
+    };
+    const std::vector<SheerPart>& sheerParts() const { return _sheerParts; }
 
     /// Whether its surface encloses a solid: closed, wound outwards as far as signs of scale can say, and
     /// without holes of cut-outs.
@@ -27,12 +43,14 @@ class ReceiverGeometry {
 
   private:
     void uploadImages(gl::Ledger& ledger, const Mesh& mesh);
+    void drawPart(std::size_t part, const gl::Program& program, GLenum primitive, float cutoff) const;
     gl::VertexArray _vertexArray;
     gl::Buffer _vertices, _indices;
     std::vector<gl::Texture> _images;
     gl::Texture _white;
     std::vector<MeshPart> _parts;
     std::vector<Material> _materials;
+    std::vector<SheerPart> _sheerParts;
     bool _closed = false;
 };
 

@@ -30,7 +30,7 @@ struct Material {
     bool baseColorNearest = false;               ///< magnified without interpolation
     AlphaMode alphaMode = AlphaMode::Opaque;
     float alphaCutoff = 0.5f; ///< AlphaMode::Mask: alpha below it is a hole
-    bool doubleSided = false; ///< whether the back shows too, with its normal turned round
+    bool doubleSided = false; ///< as the file says; every face's back takes light and shows, all the same
     int normalImage = -1;     ///< tangent-space normal map on the same uvs and wraps, -1 for none
     float normalScale = 1;    ///< times x and y of the map's normals
 };

@@ -7,19 +7,19 @@ namespace {
 constexpr int supersampling = 2; // samples a pixel and axis
 constexpr GLuint viewBinding = 2;
 
-/// Receivers as seen one way: what the passes draw into and look things up in.
+/// Receivers as seen through the surface or in it: what the passes draw into and look things up in.
 struct View {
-    gl::Texture radiance, position, depth;
+    gl::Texture radiance, distance, depth;
     gl::Framebuffer target;
 
-    View(gl::Ledger& ledger, const char* kind, glm::ivec2 size, const glm::vec4& background)
-        : radiance(ledger, kind, GL_RGBA32F, size), position(ledger, kind, GL_RGBA32F, size),
+    View(gl::Ledger& ledger, const char* kind, glm::ivec2 size)
+        : radiance(ledger, kind, GL_RGBA32F, size), distance(ledger, kind, GL_R32F, size),
           depth(ledger, "depth buffer", GL_DEPTH_COMPONENT32F, size) {
         radiance.setFilter(GL_LINEAR, GL_CLAMP_TO_EDGE);
-        const gl::Texture* const targets[] = {&radiance, &position};
+        const gl::Texture* const targets[] = {&radiance, &distance};
         target = gl::Framebuffer(kind, targets, &depth);
-        target.clearColor(0, background);
-        target.clearColor(1, {0, 0, 0, 1e30f});
+        target.clearColor(0, glm::vec4(0));
+        target.clearColor(1, glm::vec4(-1));
         target.clearDepth(0);
     }
 };
@@ -62,6 +62,12 @@ int PicturePass::largestSide(const gl::Context& context) {
     return int(context.info().maxTextureSize / (supersampling * (1 + viewMargin)));
 }
 
+void PicturePass::drawView(const ReceiverPass::Inputs& receivers, const gl::Framebuffer& target, Side side,
+                           Way way) {
+    _receivers.drawSolid(receivers, target, side, way);
+    _receivers.drawSheer(receivers, target, side, way);
+}
+
 Picture PicturePass::draw(const Inputs& inputs, glm::ivec2 size) {
     gl::Ledger& ledger = _context.ledger();
     const glm::ivec2 samples = size * supersampling;
@@ -74,19 +80,25 @@ Picture PicturePass::draw(const Inputs& inputs, glm::ivec2 size) {
     const Side nearSide = frame.cameraAbove() ? Side::Above : Side::Below;
     const Side farSide = frame.cameraAbove() ? Side::Below : Side::Above;
 
-    const ReceiverPass::Inputs receivers{inputs.scene, inputs.receivers, inputs.lit, inputs.lights,
-                                         inputs.surface.positions};
+    const ReceiverPass::Inputs receivers{
+        inputs.scene,  inputs.receivers,         inputs.lit,
+        inputs.lights, inputs.surface.positions, glm::vec3(frame.cameraPosition)};
     _receivers.prepare(receivers);
-    const View refracted(ledger, "refracted view", wide, glm::vec4(0));
-    if (frame.hasFarSide()) _receivers.draw(receivers, refracted.target, farSide, Way::Refracted);
-    const View mirrored(ledger, "mirrored view", frame.hasNearSide() ? wide : glm::ivec2(1), glm::vec4(0));
-    if (frame.hasNearSide()) _receivers.draw(receivers, mirrored.target, nearSide, Way::Mirrored);
-    const View picture(ledger, "picture", samples,
-                       frame.cameraAbove() ? frame.skyRadiance : frame.deepRadiance);
-    _receivers.draw(receivers, picture.target, nearSide, Way::Straight);
+    const View refracted(ledger, "refracted view", wide);
+    if (frame.hasFarSide()) drawView(receivers, refracted.target, farSide, Way::Refracted);
+    const View mirrored(ledger, "mirrored view", frame.hasNearSide() ? wide : glm::ivec2(1));
+    if (frame.hasNearSide()) drawView(receivers, mirrored.target, nearSide, Way::Mirrored);
+    const gl::Texture radiance(ledger, "picture", GL_RGBA32F, samples);
+    const gl::Texture depth(ledger, "depth buffer", GL_DEPTH_COMPONENT32F, samples);
+    const gl::Texture* const targets[] = {&radiance};
+    const gl::Framebuffer picture("picture", targets, &depth);
+    picture.clearColor(0, frame.cameraAbove() ? frame.skyRadiance : frame.deepRadiance);
+    picture.clearDepth(0);
+    _receivers.drawSolid(receivers, picture, nearSide, Way::Straight);
     _water.draw({inputs.scene, inputs.origin, inputs.patch, inputs.surface, frame, inputs.lights,
-                 &refracted.radiance, &refracted.position, &mirrored.radiance, &mirrored.position});
-    return resolve(picture.radiance.readFloats(GL_RGBA, 4), size);
+                 &refracted.radiance, &refracted.distance, &mirrored.radiance, &mirrored.distance});
+    _receivers.drawSheer(receivers, picture, nearSide, Way::Straight);
+    return resolve(radiance.readFloats(GL_RGBA, 4), size);
 }
 
 } // namespace limpid

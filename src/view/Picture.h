@@ -43,6 +43,8 @@ class PicturePass {
     Picture draw(const Inputs& inputs, glm::ivec2 size);
 
   private:
+    void drawView(const ReceiverPass::Inputs& receivers, const gl::Framebuffer& target, Side side, Way way);
+
     gl::Context& _context;
     ReceiverPass _receivers;
     WaterPass _water;

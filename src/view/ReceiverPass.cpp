@@ -1,5 +1,7 @@
 #include "view/ReceiverPass.h"
 
+#include <algorithm>
+
 #include "water/FlatWater.h"
 
 namespace limpid {
@@ -7,7 +9,7 @@ namespace limpid {
 namespace {
 constexpr glm::ivec2 groupSize{8, 8};
 constexpr GLuint surfaceBinding = 1, castMapUnit = 1;
-enum Uniform { Underwater, WithAmbient, WithCaustics, Strength, WayUniform };
+enum Uniform { Underwater, WithAmbient, WithCaustics, Strength, WayUniform, SheerSide };
 } // namespace
 
 ReceiverPass::ReceiverPass(gl::Context& context)
@@ -28,19 +30,27 @@ void ReceiverPass::prepare(const Inputs& inputs) {
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
-void ReceiverPass::addCaustics(const Inputs& inputs, std::size_t receiver) {
+void ReceiverPass::drawOnce(const Inputs& inputs, const Drawn& drawn) {
+    const ReceiverGeometry& receiver = inputs.receivers[drawn.receiver];
+    if (drawn.sheer)
+        receiver.drawPart(drawn.sheer->part, _receiver, GL_PATCHES);
+    else
+        receiver.drawSolid(_receiver, GL_PATCHES);
+}
+
+void ReceiverPass::addCaustics(const Inputs& inputs, const Drawn& drawn) {
     _receiver.set(WithCaustics, 1);
     for (std::size_t i = 0; i < inputs.lit.size(); ++i) {
-        if (inputs.lit[i].receiver != int(receiver)) continue;
+        if (inputs.lit[i].receiver != int(drawn.receiver)) continue;
         inputs.lit[i].level->box.bindUniform(1);
         _casts[i].bind(castMapUnit);
-        inputs.receivers[receiver].draw(_receiver, GL_PATCHES);
+        drawOnce(inputs, drawn);
     }
     _receiver.set(WithCaustics, 0);
 }
 
 /// What does not go through the surface: light on what stands out of the water, and lamps below it.
-void ReceiverPass::addDirectLight(const Inputs& inputs, std::size_t receiver, Side side) {
+void ReceiverPass::addDirectLight(const Inputs& inputs, const Drawn& drawn, Side side) {
     for (std::size_t i = 0; i < inputs.scene.lights.size(); ++i) {
         const Light& light = inputs.scene.lights[i];
         if (isSubmerged(light, inputs.scene.water) != (side == Side::Below)) continue;
@@ -49,13 +59,26 @@ void ReceiverPass::addDirectLight(const Inputs& inputs, std::size_t receiver, Si
         if (inputs.lights[i]->lampShadow) inputs.lights[i]->lampShadow->bind(lampShadowUnit);
         _receiver.set(Strength,
                       glm::vec3(light.type == LightType::Point ? light.intensity : light.irradiance));
-        inputs.receivers[receiver].draw(_receiver, GL_PATCHES);
+        drawOnce(inputs, drawn);
     }
     _receiver.set(Strength, glm::vec3(0));
 }
 
-/// One pass for each receiver and light; the first brings the ambient light, the others add to it.
-void ReceiverPass::draw(const Inputs& inputs, const gl::Framebuffer& target, Side side, Way way) {
+/// One pass for each light; the first brings the ambient light, the others add to it.
+void ReceiverPass::drawLit(const Inputs& inputs, const Drawn& drawn, Side side) {
+    if (drawn.sheer) glEnablei(GL_BLEND, 0);
+    glBlendFunci(0, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    _receiver.set(WithAmbient, 1);
+    drawOnce(inputs, drawn);
+    _receiver.set(WithAmbient, 0);
+    glEnablei(GL_BLEND, 0);
+    glBlendFunci(0, GL_ONE, GL_ONE);
+    if (side == Side::Below) addCaustics(inputs, drawn);
+    addDirectLight(inputs, drawn, side);
+    glDisablei(GL_BLEND, 0);
+}
+
+void ReceiverPass::begin(const Inputs& inputs, const gl::Framebuffer& target, Side side, Way way) {
     target.bind();
     inputs.surfacePositions.bindStorage(surfaceBinding);
     glEnable(GL_DEPTH_TEST);
@@ -63,20 +86,48 @@ void ReceiverPass::draw(const Inputs& inputs, const gl::Framebuffer& target, Sid
     glPatchParameteri(GL_PATCH_VERTICES, 3);
     _receiver.set(Underwater, side == Side::Below ? 1 : 0);
     _receiver.set(WayUniform, int(way));
+    _receiver.set(SheerSide, 0);
     _receiver.set(WithCaustics, 0);
     _receiver.set(Strength, glm::vec3(0));
-    glBlendFunci(0, GL_ONE, GL_ONE);
-    for (std::size_t i = 0; i < inputs.receivers.size(); ++i) {
-        _receiver.set(WithAmbient, 1);
-        inputs.receivers[i].draw(_receiver, GL_PATCHES);
-        _receiver.set(WithAmbient, 0);
-        glEnablei(GL_BLEND, 0);
-        if (side == Side::Below) addCaustics(inputs, i);
-        addDirectLight(inputs, i, side);
-        glDisablei(GL_BLEND, 0);
-    }
+}
+
+void ReceiverPass::end() {
     glDepthFunc(GL_GREATER);
     glDisable(GL_DEPTH_TEST);
+}
+
+void ReceiverPass::drawSolid(const Inputs& inputs, const gl::Framebuffer& target, Side side, Way way) {
+    begin(inputs, target, side, way);
+    for (std::size_t i = 0; i < inputs.receivers.size(); ++i)
+        drawLit(inputs, {i}, side);
+    end();
+}
+
+/// From the farthest part to the nearest, of each the back first.
+void ReceiverPass::drawSheer(const Inputs& inputs, const gl::Framebuffer& target, Side side, Way way) {
+    std::vector<Drawn> parts;
+    for (std::size_t i = 0; i < inputs.receivers.size(); ++i)
+        for (const ReceiverGeometry::SheerPart& part : inputs.receivers[i].sheerParts())
+            parts.push_back({i, &part});
+    const auto far = [&](const Drawn& d) { return glm::distance(d.sheer->center, inputs.camera); };
+    std::stable_sort(parts.begin(), parts.end(),
+                     [&](const Drawn& a, const Drawn& b) { return far(a) > far(b); });
+    if (parts.empty()) return;
+    begin(inputs, target, side, way);
+    glDepthMask(GL_FALSE);
+    // Rays are followed to what is solid, and to a sheet only where nothing is behind it.
+    glEnablei(GL_BLEND, 1);
+    glBlendEquationi(1, GL_MAX);
+    for (const Drawn& part : parts)
+        for (const int seenFrom : {-1, 1}) {
+            _receiver.set(SheerSide, seenFrom);
+            drawLit(inputs, part, side);
+        }
+    _receiver.set(SheerSide, 0);
+    glBlendEquationi(1, GL_FUNC_ADD);
+    glDisablei(GL_BLEND, 1);
+    glDepthMask(GL_TRUE);
+    end();
 }
 
 } // namespace limpid

@@ -35,16 +35,28 @@ class ReceiverPass {
         std::span<const Lit> lit;
         std::span<const Beams* const> lights; ///< in the scene's order
         const gl::Buffer& surfacePositions;   ///< of the water, as WaterMesh has it
+        glm::vec3 camera;                     ///< m from the scene's origin
     };
     /// Makes the caustic maps ready to be projected; `draw` shows these.
     void prepare(const Inputs& inputs);
-    /// Adds to `target`: radiance and position (shaders/view/receiver.frag), depth (1 near by, 0 far
-    /// away); all cleared by the caller. The view frame is bound.
-    void draw(const Inputs& inputs, const gl::Framebuffer& target, Side side, Way way);
+    /// Adds to `target`: radiance, distance if it has one (shaders/view/receiver.frag), depth (1 near by, 0
+    /// far away); all cleared by the caller. The view frame is bound.
+    void drawSolid(const Inputs& inputs, const gl::Framebuffer& target, Side side, Way way);
+    /// What lets something show through, over all that is in `target`; it leaves depth alone.
+    void drawSheer(const Inputs& inputs, const gl::Framebuffer& target, Side side, Way way);
 
   private:
-    void addCaustics(const Inputs& inputs, std::size_t receiver);
-    void addDirectLight(const Inputs& inputs, std::size_t receiver, Side side);
+    /// What is drawn at once: what of a receiver hides all behind it, or one of its blended parts.
+    struct Drawn {
+        std::size_t receiver;
+        const ReceiverGeometry::SheerPart* sheer = nullptr;
+    };
+    void drawOnce(const Inputs& inputs, const Drawn& drawn);
+    void addCaustics(const Inputs& inputs, const Drawn& drawn);
+    void addDirectLight(const Inputs& inputs, const Drawn& drawn, Side side);
+    void drawLit(const Inputs& inputs, const Drawn& drawn, Side side);
+    void begin(const Inputs& inputs, const gl::Framebuffer& target, Side side, Way way);
+    void end();
 
     gl::Context& _context;
     gl::Program _castMap, _receiver;

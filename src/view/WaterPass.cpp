@@ -7,7 +7,7 @@ namespace limpid {
 
 namespace {
 enum Uniform { Hole, FlatRest, Sun };
-constexpr GLuint refractedUnit = 0, mirroredUnit = 5; // radiance; position is the next one
+constexpr GLuint refractedUnit = 0, mirroredUnit = 5; // radiance; distance is the next one
 } // namespace
 
 WaterPass::WaterPass(gl::Context& context)
@@ -73,9 +73,9 @@ void WaterPass::addGlitter(const Inputs& inputs) {
 /// First what shines through and what is mirrored, then each sun's glitter on top.
 void WaterPass::draw(const Inputs& inputs) {
     inputs.refracted->bind(refractedUnit);
-    inputs.refractedPosition->bind(refractedUnit + 1);
+    inputs.refractedDistance->bind(refractedUnit + 1);
     inputs.mirrored->bind(mirroredUnit);
-    inputs.mirroredPosition->bind(mirroredUnit + 1);
+    inputs.mirroredDistance->bind(mirroredUnit + 1);
     _water.use();
     glEnable(GL_DEPTH_TEST);
     // A camera close to the water has it nearer than the near plane.

@@ -23,8 +23,8 @@ class WaterPass {
         const WaterMesh& surface;
         const ViewFrameData& frame;
         std::span<const Beams* const> lights; ///< in the scene's order
-        const gl::Texture *refracted, *refractedPosition;
-        const gl::Texture *mirrored, *mirroredPosition;
+        const gl::Texture *refracted, *refractedDistance;
+        const gl::Texture *mirrored, *mirroredDistance;
     };
     /// Into the bound target, where the receivers on the camera's side are drawn already. The view frame is
     /// bound.
