@@ -5,13 +5,13 @@ layout(triangle_strip, max_vertices = 3) out;
 in VertexData {
     vec3 position; // m from the scene's origin
     vec3 normal;   // shading
-    vec2 uv;
+    vec4 uv;
     vec4 color;
 } vertexIn[];
 out FragmentData {
     vec3 position;
     vec3 normal;
-    vec2 uv;
+    vec4 uv;
     vec4 color;
     flat vec3 faceNormal; // unit, by the winding
     flat vec3 facePoint;  // a corner: a point of the face's plane

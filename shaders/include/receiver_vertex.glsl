@@ -1,12 +1,12 @@
 // What every vertex shader of a receiver takes and gives.
 layout(location = 0) in vec3 inPosition; // m from the scene's origin
 layout(location = 1) in vec3 inNormal;
-layout(location = 2) in vec2 inUv;
+layout(location = 2) in vec4 inUv;
 layout(location = 3) in vec4 inColor; // linear
 out VertexData {
     vec3 position;
     vec3 normal;
-    vec2 uv;
+    vec4 uv; // of the base colour; of the normal map
     vec4 color;
 } vertexOut;
 

@@ -29,14 +29,14 @@ vec3 shadingNormal(vec3 face) {
     vec3 normal = length(fragmentIn.normal) > 0.0 ? normalize(fragmentIn.normal) : face;
     if (dot(normal, face) < 0.0) normal = -normal;
     vec3 px = dFdx(fragmentIn.position), py = dFdy(fragmentIn.position);
-    vec2 tx = dFdx(fragmentIn.uv), ty = dFdy(fragmentIn.uv);
+    vec2 tx = dFdx(fragmentIn.uv.zw), ty = dFdy(fragmentIn.uv.zw);
     vec3 acrossX = cross(py, normal), acrossY = cross(normal, px);
     float orientation = sign(dot(px, acrossX));
     vec3 tangent = (acrossX * tx.x + acrossY * ty.x) * orientation;
     vec3 bitangent = (acrossX * tx.y + acrossY * ty.y) * orientation;
     float size = max(dot(tangent, tangent), dot(bitangent, bitangent));
     if (normalScale == 0.0 || !(size > 0.0)) return normal;
-    vec3 mapped = 2.0 * texture(normalTexture, fragmentIn.uv).xyz - 1.0;
+    vec3 mapped = 2.0 * texture(normalTexture, fragmentIn.uv.zw).xyz - 1.0;
     // glTF's v runs down the picture, its bitangent up.
     vec3 turned = (tangent * mapped.x - bitangent * mapped.y) * (normalScale / sqrt(size)) + normal * mapped.z;
     return dot(turned, turned) > 0.0 ? normalize(turned) : normal;

@@ -6,13 +6,13 @@ layout(location = 4) uniform int way; // straight, refracted or mirrored
 in VertexData {
     vec3 position;
     vec3 normal;
-    vec2 uv;
+    vec4 uv;
     vec4 color;
 } vertexIn[];
 out ControlData {
     vec3 position;
     vec3 normal;
-    vec2 uv;
+    vec4 uv;
     vec4 color;
 } controlOut[];
 

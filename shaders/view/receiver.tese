@@ -5,13 +5,13 @@ layout(location = 4) uniform int way; // straight, refracted or mirrored
 in ControlData {
     vec3 position;
     vec3 normal;
-    vec2 uv;
+    vec4 uv;
     vec4 color;
 } controlIn[];
 out VertexData {
     vec3 position;
     vec3 normal;
-    vec2 uv;
+    vec4 uv;
     vec4 color;
 } vertexOut;
 

@@ -200,9 +200,9 @@ void VertexArray::attribute(GLuint index, const Buffer& buffer, int components, 
     glVertexArrayVertexBuffer(_id, index, buffer.id(), 0, stride);
 }
 
-void VertexArray::byteAttribute(GLuint index, const Buffer& buffer, int offset, int stride) {
+void VertexArray::shortAttribute(GLuint index, const Buffer& buffer, int offset, int stride) {
     glEnableVertexArrayAttrib(_id, index);
-    glVertexArrayAttribFormat(_id, index, 4, GL_UNSIGNED_BYTE, GL_TRUE, GLuint(offset));
+    glVertexArrayAttribFormat(_id, index, 4, GL_UNSIGNED_SHORT, GL_TRUE, GLuint(offset));
     glVertexArrayAttribBinding(_id, index, index);
     glVertexArrayVertexBuffer(_id, index, buffer.id(), 0, stride);
 }

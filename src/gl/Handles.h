@@ -153,8 +153,8 @@ class VertexArray {
     void bind() const { glBindVertexArray(_id); }
     /// Attribute `index` has `components` floats at `offset` in a vertex of `stride` bytes of `buffer`.
     void attribute(GLuint index, const Buffer& buffer, int components, int offset, int stride);
-    /// Attribute `index` has four bytes, [0, 255] read as [0, 1].
-    void byteAttribute(GLuint index, const Buffer& buffer, int offset, int stride);
+    /// Attribute `index` has four unsigned 16-bit integers, [0, 65535] read as [0, 1].
+    void shortAttribute(GLuint index, const Buffer& buffer, int offset, int stride);
     void indices(const Buffer& buffer) { glVertexArrayElementBuffer(_id, buffer.id()); }
 
   private:

@@ -31,6 +31,11 @@ AccessorKind colorKind() {
             "vectors of 3 or 4 floats, or of 3 or 4 integers of 8 or 16 bits without sign"};
 }
 
+AccessorKind colorDifferenceKind() {
+    return {colorKind().types, vectorKind().componentTypes,
+            "vectors of 3 or 4 floats, or of 3 or 4 integers of 8 or 16 bits"};
+}
+
 AccessorKind weightKind() {
     return {{TINYGLTF_TYPE_VEC4},
             colorKind().componentTypes,

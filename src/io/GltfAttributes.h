@@ -12,6 +12,7 @@ AccessorKind vectorKind(); ///< positions, and differences of positions and norm
 AccessorKind normalKind();
 AccessorKind uvKind();
 AccessorKind colorKind();
+AccessorKind colorDifferenceKind(); ///< what a morph target adds
 AccessorKind weightKind();
 
 /// An attribute of the primitive at `place`, none if it has no such. Throws InputError.

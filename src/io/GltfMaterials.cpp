@@ -56,15 +56,13 @@ Wrap wrapOf(int mode) {
     return mode == samplerClamp ? Wrap::Clamp : mode == samplerMirror ? Wrap::Mirror : Wrap::Repeat;
 }
 
-void readSampler(const GltfFile& file, const TextureUse& use, Material& material) {
+/// Null without one.
+const tinygltf::Sampler* samplerOf(const GltfFile& file, const TextureUse& use) {
     const tinygltf::Texture* texture = textureOf(file, use);
-    if (!texture || texture->sampler == -1) return;
+    if (!texture || texture->sampler == -1) return nullptr;
     file.requireIndex(fmt::format("textures[{}].sampler", use.index), texture->sampler,
                       file.model.samplers.size());
-    const tinygltf::Sampler& sampler = file.model.samplers[static_cast<std::size_t>(texture->sampler)];
-    material.baseColorWrapS = wrapOf(sampler.wrapS);
-    material.baseColorWrapT = wrapOf(sampler.wrapT);
-    material.baseColorNearest = sampler.magFilter == samplerNearest;
+    return &file.model.samplers[static_cast<std::size_t>(texture->sampler)];
 }
 
 float finiteFactor(const GltfFile& file, const std::string& place, double factor) {
@@ -125,30 +123,33 @@ TextureMapping mappingOf(const GltfFile& file, const TextureUse& use) {
     return mapping;
 }
 
-bool same(const TextureMapping& a, const TextureMapping& b) {
-    return a.texCoord == b.texCoord && a.transform == b.transform;
-}
-
 /// The textures of a material that is in use.
 void addTextures(const GltfFile& file, std::size_t index, ImageSet& images, Material& material) {
     const TextureUse color = baseColorUse(file, index), normal = normalUse(file, index);
     const int colorImage = imageOf(file, color), normalImage = imageOf(file, normal);
     if (colorImage >= 0) material.baseColorImage = images.add(colorImage, true);
-    // Vertices have one pair of coordinates and materials one way to wrap them, those of the base colour. A
-    // normal map that lies on the surface in another way is left out.
-    if (normalImage >= 0 && (colorImage < 0 || same(mappingOf(file, color), mappingOf(file, normal))))
-        material.normalImage = images.add(normalImage, false);
-    readSampler(file, colorImage >= 0 ? color : normal, material);
+    if (normalImage >= 0) material.normalImage = images.add(normalImage, false);
+    if (const tinygltf::Sampler* sampler = samplerOf(file, color)) {
+        material.baseColorWrapS = wrapOf(sampler->wrapS);
+        material.baseColorWrapT = wrapOf(sampler->wrapT);
+        material.baseColorNearest = sampler->magFilter == samplerNearest;
+    }
+    if (const tinygltf::Sampler* sampler = samplerOf(file, normal)) {
+        material.normalWrapS = wrapOf(sampler->wrapS);
+        material.normalWrapT = wrapOf(sampler->wrapT);
+    }
 }
 
 } // namespace
 
-TextureMapping textureMapping(const GltfFile& file, int material) {
+TextureMappings textureMappings(const GltfFile& file, int material) {
     if (material < 0 || static_cast<std::size_t>(material) >= file.model.materials.size()) return {};
     const auto index = static_cast<std::size_t>(material);
-    const TextureUse color = baseColorUse(file, index);
-    const TextureUse normal = normalUse(file, index);
-    return mappingOf(file, imageOf(file, color) < 0 && normal.index != -1 ? normal : color);
+    const TextureUse color = baseColorUse(file, index), normal = normalUse(file, index);
+    TextureMappings mappings{mappingOf(file, color), mappingOf(file, normal)};
+    if (imageOf(file, normal) < 0) mappings.normal = mappings.color;
+    if (imageOf(file, color) < 0) mappings.color = mappings.normal;
+    return mappings;
 }
 
 int materialIndex(const GltfFile& file, const std::string& place, const tinygltf::Primitive& primitive) {

@@ -15,13 +15,20 @@ void addMaterials(const GltfFile& file, Mesh& mesh);
 /// The material index that `addMaterials` will give to a primitive. Throws InputError.
 int materialIndex(const GltfFile& file, const std::string& place, const tinygltf::Primitive& primitive);
 
-/// How a material's base colour texture is put onto a surface; its normal map if it has only that.
+/// How a texture is put onto a surface.
 struct TextureMapping {
     int texCoord = 0;          ///< the set of texture coordinates
     glm::dmat3 transform{1.0}; ///< of homogeneous (u, v, 1), from KHR_texture_transform
+
+    bool operator==(const TextureMapping&) const = default;
+};
+
+/// Of a material's base colour texture and normal map; of both as of the one that it has.
+struct TextureMappings {
+    TextureMapping color, normal;
 };
 
 /// `material`: a primitive's, not yet checked. Throws InputError.
-TextureMapping textureMapping(const GltfFile& file, int material);
+TextureMappings textureMappings(const GltfFile& file, int material);
 
 } // namespace limpid::io

@@ -121,10 +121,10 @@ std::vector<double> morphWeights(const GltfFile& file, std::size_t index) {
     return weights;
 }
 
-glm::dvec3 MorphedAttribute::read(std::size_t i) const {
-    glm::dvec3 value = _base.vec3(i);
+double MorphedAttribute::component(std::size_t i, int c) const {
+    double value = _base.component(i, c);
     for (const auto& [target, weight] : _targets)
-        value += weight * target.vec3(i);
+        if (c < target.components()) value += weight * target.component(i, c);
     return value;
 }
 

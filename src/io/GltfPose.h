@@ -37,14 +37,18 @@ std::vector<glm::dmat4> instanceTransforms(const GltfFile& file, std::size_t nod
 /// The weights of a node's morph targets at rest: the node's, else its mesh's, else none. Throws InputError.
 std::vector<double> morphWeights(const GltfFile& file, std::size_t node);
 
-/// A vector attribute with the morph targets that have a weight.
+/// An attribute with the morph targets that have a weight.
 class MorphedAttribute {
   public:
     explicit MorphedAttribute(AccessorView base) : _base(std::move(base)) {}
     void add(AccessorView target, double weight) { _targets.emplace_back(std::move(target), weight); }
 
     std::size_t count() const { return _base.count(); }
-    glm::dvec3 read(std::size_t i) const;
+    int components() const { return _base.components(); }
+    /// Component `c` of element `i`; a target that has fewer of them changes nothing in the others.
+    double component(std::size_t i, int c) const;
+    /// The first three of them.
+    glm::dvec3 read(std::size_t i) const { return {component(i, 0), component(i, 1), component(i, 2)}; }
 
   private:
     AccessorView _base;

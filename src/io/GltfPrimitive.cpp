@@ -25,9 +25,9 @@ constexpr double maxCoordinate = 1e9;
 struct Attributes {
     MorphedAttribute positions;
     std::optional<MorphedAttribute> normals;
-    std::optional<AccessorView> uvs;
-    glm::dmat3 uvTransform{1.0};
-    std::optional<AccessorView> colors;
+    TextureMappings mappings;
+    std::optional<MorphedAttribute> uvs, normalUvs; ///< of base colour and normal map
+    std::optional<MorphedAttribute> colors;
     std::optional<SkinnedVertices> skin;
 };
 
@@ -47,7 +47,8 @@ struct Copy {
 };
 
 std::optional<MorphedAttribute> morphed(const PrimitiveTask& task, const std::string& name,
-                                        std::optional<AccessorView> base) {
+                                        std::optional<AccessorView> base,
+                                        const AccessorKind& targetKind = vectorKind()) {
     if (!base) return std::nullopt;
     const std::size_t count = base->count();
     MorphedAttribute attribute(std::move(*base));
@@ -55,7 +56,7 @@ std::optional<MorphedAttribute> morphed(const PrimitiveTask& task, const std::st
     for (std::size_t i = 0; i < targets.size() && i < task.morphWeights.size(); ++i) {
         if (task.morphWeights[i] == 0) continue;
         auto target = findAttribute(task.file, fmt::format("{}.targets[{}]", task.place, i), targets[i], name,
-                                    vectorKind(), count);
+                                    targetKind, count);
         if (target) attribute.add(std::move(*target), task.morphWeights[i]);
     }
     return attribute;
@@ -68,13 +69,19 @@ std::optional<Attributes> readAttributes(const PrimitiveTask& task) {
     std::optional<MorphedAttribute> positions = morphed(task, "POSITION", find("POSITION", vectorKind()));
     if (!positions) return std::nullopt;
     const std::size_t count = positions->count();
-    const TextureMapping mapping = textureMapping(task.file, task.primitive.material);
-    Attributes attributes{.positions = std::move(*positions),
-                          .normals = morphed(task, "NORMAL", find("NORMAL", normalKind(), count)),
-                          .uvs = find(fmt::format("TEXCOORD_{}", mapping.texCoord), uvKind(), count),
-                          .uvTransform = mapping.transform,
-                          .colors = find("COLOR_0", colorKind(), count),
-                          .skin = {}};
+    const TextureMappings mappings = textureMappings(task.file, task.primitive.material);
+    const auto uvs = [&](const TextureMapping& mapping) {
+        const std::string name = fmt::format("TEXCOORD_{}", mapping.texCoord);
+        return morphed(task, name, find(name, uvKind(), count), uvKind());
+    };
+    Attributes attributes{
+        .positions = std::move(*positions),
+        .normals = morphed(task, "NORMAL", find("NORMAL", normalKind(), count)),
+        .mappings = mappings,
+        .uvs = uvs(mappings.color),
+        .normalUvs = uvs(mappings.normal),
+        .colors = morphed(task, "COLOR_0", find("COLOR_0", colorKind(), count), colorDifferenceKind()),
+        .skin = {}};
     if (task.joints) attributes.skin.emplace(task.file, task.place, task.primitive, count, *task.joints);
     if (attributes.skin && attributes.skin->empty()) attributes.skin.reset();
     return attributes;
@@ -162,14 +169,28 @@ void addNormals(Copy& copy) {
     if (std::find(missing.begin(), missing.end(), true) != missing.end()) addFaceNormals(copy, missing);
 }
 
-void addUvs(Copy& copy) {
+void addUvs(const Copy& copy, const std::optional<MorphedAttribute>& source, const TextureMapping& mapping,
+            std::vector<glm::vec2>& uvs) {
     for (const std::uint32_t vertex : copy.vertices) {
         glm::vec2 uv(0);
-        if (const std::optional<AccessorView>& uvs = copy.attributes.uvs)
-            uv = glm::vec2(copy.attributes.uvTransform *
-                           glm::dvec3(uvs->component(vertex, 0), uvs->component(vertex, 1), 1));
-        copy.mesh.uvs.push_back(std::isfinite(uv.x) && std::isfinite(uv.y) ? uv : glm::vec2(0));
+        if (source)
+            uv = glm::vec2(mapping.transform *
+                           glm::dvec3(source->component(vertex, 0), source->component(vertex, 1), 1));
+        uvs.push_back(std::isfinite(uv.x) && std::isfinite(uv.y) ? uv : glm::vec2(0));
     }
+}
+
+/// The mesh has uvs for normal maps from the first primitive on whose normal map lies elsewhere than its base
+/// colour.
+void addAllUvs(Copy& copy) {
+    const Attributes& attributes = copy.attributes;
+    std::vector<glm::vec2>& normalUvs = copy.mesh.normalUvs;
+    addUvs(copy, attributes.uvs, attributes.mappings.color, copy.mesh.uvs);
+    if (attributes.mappings.normal == attributes.mappings.color && normalUvs.empty()) return;
+    if (normalUvs.empty())
+        normalUvs.assign(copy.mesh.uvs.begin(),
+                         copy.mesh.uvs.begin() + static_cast<std::ptrdiff_t>(copy.firstVertex));
+    addUvs(copy, attributes.normalUvs, attributes.mappings.normal, normalUvs);
 }
 
 /// The mesh has colours from the first primitive on that has some; what came before is white.
@@ -215,7 +236,7 @@ void addPrimitive(const PrimitiveTask& task, Mesh& mesh) {
         addIndices(copy, turned);
         addPositions(copy);
         addNormals(copy);
-        addUvs(copy);
+        addAllUvs(copy);
         addColors(copy);
         addPart(mesh, copy.firstIndex, material);
     }

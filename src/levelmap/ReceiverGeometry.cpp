@@ -9,8 +9,8 @@ namespace limpid {
 namespace {
 struct Vertex {
     glm::vec3 position, normal;
-    glm::vec2 uv;
-    glm::u8vec4 color;
+    glm::vec2 uv, normalUv;
+    glm::u16vec4 color; // linear: eight bits would show steps in the dark
 };
 enum MaterialUniform { BaseColorFactor = 16, AlphaCutoff = 17, NormalScale = 18 };
 constexpr GLuint baseColorUnit = 0, normalMapUnit = 4;
@@ -41,12 +41,11 @@ GLenum wrapOf(Wrap wrap) {
 }
 
 /// A texture is shared by materials; how it is read is each material's own.
-void bindTexture(const gl::Texture& texture, GLuint unit, const Material& material) {
+void bindTexture(const gl::Texture& texture, GLuint unit, Wrap s, Wrap t, bool nearest = false) {
     texture.bind(unit);
-    glTextureParameteri(texture.id(), GL_TEXTURE_WRAP_S, GLint(wrapOf(material.baseColorWrapS)));
-    glTextureParameteri(texture.id(), GL_TEXTURE_WRAP_T, GLint(wrapOf(material.baseColorWrapT)));
-    glTextureParameteri(texture.id(), GL_TEXTURE_MAG_FILTER,
-                        material.baseColorNearest ? GL_NEAREST : GL_LINEAR);
+    glTextureParameteri(texture.id(), GL_TEXTURE_WRAP_S, GLint(wrapOf(s)));
+    glTextureParameteri(texture.id(), GL_TEXTURE_WRAP_T, GLint(wrapOf(t)));
+    glTextureParameteri(texture.id(), GL_TEXTURE_MAG_FILTER, nearest ? GL_NEAREST : GL_LINEAR);
 }
 
 std::vector<Vertex> worldVertices(const Receiver& receiver, const glm::dvec3& origin) {
@@ -57,9 +56,10 @@ std::vector<Vertex> worldVertices(const Receiver& receiver, const glm::dvec3& or
         const double length = glm::length(normal);
         vertices[i] = {glm::vec3(receiver.toWorld(mesh.positions[i]) - origin),
                        length > 0 ? glm::vec3(normal / length) : glm::vec3(0, 1, 0), mesh.uvs[i],
+                       mesh.normalUvs.empty() ? mesh.uvs[i] : mesh.normalUvs[i],
                        mesh.colors.empty()
-                           ? glm::u8vec4(255)
-                           : glm::u8vec4(glm::round(glm::clamp(mesh.colors[i], 0.0f, 1.0f) * 255.0f))};
+                           ? glm::u16vec4(65535)
+                           : glm::u16vec4(glm::round(glm::clamp(mesh.colors[i], 0.0f, 1.0f) * 65535.0f))};
     }
     return vertices;
 }
@@ -80,8 +80,8 @@ ReceiverGeometry::ReceiverGeometry(gl::Context& context, const Receiver& receive
     _indices = gl::Buffer(ledger, "meshes", std::span<const std::uint32_t>(receiver.mesh->indices));
     _vertexArray.attribute(0, _vertices, 3, offsetof(Vertex, position), sizeof(Vertex));
     _vertexArray.attribute(1, _vertices, 3, offsetof(Vertex, normal), sizeof(Vertex));
-    _vertexArray.attribute(2, _vertices, 2, offsetof(Vertex, uv), sizeof(Vertex));
-    _vertexArray.byteAttribute(3, _vertices, offsetof(Vertex, color), sizeof(Vertex));
+    _vertexArray.attribute(2, _vertices, 4, offsetof(Vertex, uv), sizeof(Vertex));
+    _vertexArray.shortAttribute(3, _vertices, offsetof(Vertex, color), sizeof(Vertex));
     _vertexArray.indices(_indices);
     uploadImages(ledger, *receiver.mesh);
     for (std::size_t i = 0; i < _parts.size(); ++i) {
@@ -114,9 +114,10 @@ void ReceiverGeometry::drawPart(std::size_t index, const gl::Program& program, G
     program.set(AlphaCutoff, cutoff);
     program.set(NormalScale, material.normalImage >= 0 ? material.normalScale : 0.0f);
     bindTexture(material.baseColorImage >= 0 ? _images[std::size_t(material.baseColorImage)] : _white,
-                baseColorUnit, material);
+                baseColorUnit, material.baseColorWrapS, material.baseColorWrapT, material.baseColorNearest);
     if (material.normalImage >= 0)
-        bindTexture(_images[std::size_t(material.normalImage)], normalMapUnit, material);
+        bindTexture(_images[std::size_t(material.normalImage)], normalMapUnit, material.normalWrapS,
+                    material.normalWrapT);
     program.use();
     _vertexArray.bind();
     glDrawElements(primitive, GLsizei(part.indexCount), GL_UNSIGNED_INT,

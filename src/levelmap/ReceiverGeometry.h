@@ -15,8 +15,8 @@ namespace limpid {
 inline constexpr float solidAlpha = 254.5f / 255;
 
 /// A receiver on the GPU.
-/// Vertex: float[3] position, m from the scene's origin; float[3] shading normal; float[2] uv; four bytes of
-/// linear colour; 32-bit indices.
+/// Vertex: float[3] position, m from the scene's origin; float[3] shading normal; float[2] uv of the base
+/// colour, float[2] of normal maps; uint16[4] linear colour; 32-bit indices.
 class ReceiverGeometry {
   public:
     ReceiverGeometry(gl::Context& context, const Receiver& receiver, const glm::dvec3& origin);

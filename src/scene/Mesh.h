@@ -31,8 +31,10 @@ struct Material {
     AlphaMode alphaMode = AlphaMode::Opaque;
     float alphaCutoff = 0.5f; ///< AlphaMode::Mask: alpha below it is a hole
     bool doubleSided = false; ///< as the file says; every face's back takes light and shows, all the same
-    int normalImage = -1;     ///< tangent-space normal map on the same uvs and wraps, -1 for none
+    int normalImage = -1;     ///< tangent-space normal map on the mesh's normal uvs, -1 for none
     float normalScale = 1;    ///< times x and y of the map's normals
+    Wrap normalWrapS = Wrap::Repeat;
+    Wrap normalWrapT = Wrap::Repeat;
 };
 
 /// A run of triangles that share a material.
@@ -43,13 +45,15 @@ struct MeshPart {
 };
 
 /// Triangles in the receiver's own space, metres, Y up, right-handed.
-/// `normals` (unit, shading) and `uvs` have the length of `positions`; `colors` too, or it is empty.
+/// `normals` (unit, shading) and `uvs` have the length of `positions`; `normalUvs` and `colors` too, or they
+/// are empty.
 /// Loaders guarantee: every index is in range, every number finite, at least one material.
 struct Mesh {
     std::vector<glm::dvec3> positions;
     std::vector<glm::vec3> normals;
     std::vector<glm::vec2> uvs;
-    std::vector<glm::vec4> colors; ///< linear RGB and alpha, times the material's; empty if all are white
+    std::vector<glm::vec2> normalUvs; ///< where normal maps lie; empty if as the base colour does
+    std::vector<glm::vec4> colors;    ///< linear RGB and alpha, times the material's; empty if all are white
     std::vector<std::uint32_t> indices;
     std::vector<MeshPart> parts;
     std::vector<Material> materials;

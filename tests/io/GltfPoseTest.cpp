@@ -117,6 +117,26 @@ TEST(GltfMorphTest, TheNodesWeightsStandForTheMeshs) {
     expectNear(glm::dvec3(load(gltf).normals[0]), {0, 0, 1});
 }
 
+TEST(GltfMorphTest, ColorsAndTextureCoordinatesMorphToo) {
+    SmallGltf gltf = triangleGltf();
+    json& attributes = primitive(gltf)["attributes"];
+    attributes["COLOR_0"] =
+        gltf.add<float>("VEC4", {0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5});
+    attributes["TEXCOORD_0"] = gltf.add<float>("VEC2", {0, 0, 1, 0, 0, 1});
+    const int less = gltf.add<std::int8_t>("VEC4", {-127, 0, 127, 127, 0, 0, 0, 0, 0, 0, 0, 0});
+    gltf.json["accessors"][less]["normalized"] = true;
+    primitive(gltf)["targets"] = {{{"COLOR_0", less}},
+                                  {{"COLOR_0", gltf.add<float>("VEC3", {0, 1, 0, 0, 1, 0, 0, 1, 0})},
+                                   {"TEXCOORD_0", gltf.add<float>("VEC2", {2, 3, 0, 0, 0, 0})}}};
+    gltf.json["meshes"][0]["weights"] = {1, 0.25};
+    const Mesh mesh = load(gltf);
+    // Clamped after they are added; a target without alpha leaves it alone.
+    EXPECT_EQ(mesh.colors[0], glm::vec4(0, 0.75, 1, 1));
+    EXPECT_EQ(mesh.colors[1], glm::vec4(0.5, 0.75, 0.5, 0.5));
+    EXPECT_EQ(mesh.uvs[0], glm::vec2(0.5, 0.75));
+    EXPECT_EQ(mesh.uvs[1], glm::vec2(1, 0));
+}
+
 json& instancing(SmallGltf& gltf) {
     return gltf.json["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"];
 }

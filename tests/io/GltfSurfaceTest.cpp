@@ -146,7 +146,7 @@ struct NormalMapCase {
     json color, normal; ///< texture infos; null for none
     int images;
     bool used;
-    glm::vec2 secondUv;
+    glm::vec2 secondUv, secondNormalUv;
 };
 
 std::ostream& operator<<(std::ostream& out, const NormalMapCase& c) {
@@ -155,7 +155,7 @@ std::ostream& operator<<(std::ostream& out, const NormalMapCase& c) {
 
 class GltfNormalMapTest : public testing::TestWithParam<NormalMapCase> {};
 
-TEST_P(GltfNormalMapTest, IsUsedOnlyWhereTheBaseColorLies) {
+TEST_P(GltfNormalMapTest, LiesWhereItsOwnCoordinatesSay) {
     const NormalMapCase& c = GetParam();
     json material = json::object();
     if (!c.color.is_null()) material["pbrMetallicRoughness"]["baseColorTexture"] = c.color;
@@ -164,6 +164,11 @@ TEST_P(GltfNormalMapTest, IsUsedOnlyWhereTheBaseColorLies) {
     EXPECT_EQ(mesh.images.size(), static_cast<std::size_t>(c.images));
     EXPECT_EQ(mesh.materials[0].normalImage >= 0, c.used);
     EXPECT_EQ(mesh.uvs[1], c.secondUv);
+    EXPECT_EQ(mesh.normalUvs.empty(), c.secondUv == c.secondNormalUv);
+    if (!mesh.normalUvs.empty()) {
+        EXPECT_EQ(mesh.normalUvs.size(), mesh.positions.size());
+        EXPECT_EQ(mesh.normalUvs[1], c.secondNormalUv);
+    }
     if (c.used) {
         EXPECT_EQ(mesh.materials[0].normalScale, 0.5f);
         EXPECT_FALSE(mesh.images[static_cast<std::size_t>(mesh.materials[0].normalImage)].srgb);
@@ -175,19 +180,42 @@ TEST_P(GltfNormalMapTest, IsUsedOnlyWhereTheBaseColorLies) {
 
 const json moved = {{"KHR_texture_transform", {{"offset", {2, 0}}}}};
 const NormalMapCase normalMaps[] = {
-    {"base colour only", {{"index", 0}}, nullptr, 1, false, {1, 0}},
-    {"same set", {{"index", 0}}, {{"index", 0}, {"scale", 0.5}}, 2, true, {1, 0}},
-    {"other set", {{"index", 0}}, {{"index", 0}, {"texCoord", 1}}, 1, false, {1, 0}},
-    {"other transform", {{"index", 0}}, {{"index", 0}, {"extensions", moved}}, 1, false, {1, 0}},
+    {"base colour only", {{"index", 0}}, nullptr, 1, false, {1, 0}, {1, 0}},
+    {"same set", {{"index", 0}}, {{"index", 0}, {"scale", 0.5}}, 2, true, {1, 0}, {1, 0}},
+    {"other set", {{"index", 0}}, {{"index", 0}, {"texCoord", 1}, {"scale", 0.5}}, 2, true, {1, 0}, {6, 6}},
+    {"other transform",
+     {{"index", 0}},
+     {{"index", 0}, {"extensions", moved}, {"scale", 0.5}},
+     2,
+     true,
+     {1, 0},
+     {3, 0}},
     {"same transform",
      {{"index", 0}, {"extensions", moved}},
      {{"index", 0}, {"extensions", moved}, {"scale", 0.5}},
      2,
      true,
+     {3, 0},
      {3, 0}},
-    {"normal map only", nullptr, {{"index", 0}, {"texCoord", 1}, {"scale", 0.5}}, 1, true, {6, 6}},
+    {"normal map only", nullptr, {{"index", 0}, {"texCoord", 1}, {"scale", 0.5}}, 1, true, {6, 6}, {6, 6}},
 };
 INSTANTIATE_TEST_SUITE_P(All, GltfNormalMapTest, testing::ValuesIn(normalMaps));
+
+TEST(GltfNormalMapTest, OtherPrimitivesKeepTheirs) {
+    SmallGltf gltf = texturedGltf({{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}});
+    json second = gltf.json["meshes"][0]["primitives"][0];
+    gltf.json["materials"].push_back({{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}},
+                                      {"normalTexture", {{"index", 0}, {"texCoord", 1}}}});
+    second["material"] = gltf.json["materials"].size() - 1;
+    json third = gltf.json["meshes"][0]["primitives"][0];
+    gltf.json["meshes"][0]["primitives"].push_back(second);
+    gltf.json["meshes"][0]["primitives"].push_back(third);
+    const Mesh mesh = load(gltf);
+    ASSERT_EQ(mesh.normalUvs.size(), 9u);
+    EXPECT_EQ(mesh.normalUvs[1], mesh.uvs[1]);
+    EXPECT_EQ(mesh.normalUvs[4], glm::vec2(6, 6));
+    EXPECT_EQ(mesh.normalUvs[7], mesh.uvs[7]);
+}
 
 std::string bigEndian(std::uint32_t value, int bytes) {
     std::string text;
