@@ -49,7 +49,7 @@ CellTracer::Ray CellTracer::enter(const glm::dvec2& place) const {
     const double cosIncident = -glm::dot(up, incident);
     if (cosIncident <= 0) return ray;
     ray.facing = true;
-    ray.transmittance = transmitted(std::min(cosIncident, 1.0), _scene.ior);
+    ray.transmittance = transmitted(std::min(cosIncident, 1.0), _scene.ior) * _source->withinCone(incident);
     ray.direction = refracted(incident, up, _scene.ior);
     return ray;
 }

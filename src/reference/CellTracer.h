@@ -51,8 +51,8 @@ class CellTracer {
     /// A ray that enters the water.
     struct Ray {
         glm::dvec3 from{0}, direction{0, -1, 0};
-        double transmittance = 0;
-        bool facing = false; ///< the surface faces the light there
+        double transmittance = 0; ///< after Fresnel and a spot's cone
+        bool facing = false;      ///< the surface faces the light there
     };
     enum class Fate { Untraced, Dark, Missed, Landed };
     struct Traced {

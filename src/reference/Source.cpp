@@ -5,6 +5,11 @@
 
 namespace limpid::reference {
 
+double Source::withinCone(const glm::dvec3& incident) const {
+    const double share = (glm::dot(incident, direction) - cosOuter) / std::max(0.001, cosInner - cosOuter);
+    return std::pow(std::clamp(share, 0.0, 1.0), 2);
+}
+
 double Source::through(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) const {
     const glm::dvec3 across = glm::cross(b - a, c - a);
     if (!point) return -0.5 * weight * glm::dot(across, direction);
@@ -29,6 +34,11 @@ Source sourceOf(const Light& light, const glm::dvec3& origin, const glm::dvec2& 
     source.point = light.type == LightType::Point;
     source.position = light.position - origin;
     source.strength = source.point ? light.intensity : light.irradiance;
+    if (light.isSpot()) {
+        source.direction = glm::normalize(light.direction);
+        source.cosInner = std::cos(glm::radians(light.innerCone));
+        source.cosOuter = std::cos(glm::radians(light.outerCone));
+    }
     if (source.point) return source;
     const glm::dvec3 middle = glm::normalize(light.direction);
     const glm::dvec3 helper = std::abs(middle.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 0, 1);

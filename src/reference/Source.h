@@ -10,15 +10,18 @@ namespace limpid::reference {
 /// Light of one direction, or from one point. A sun's disc is many of them.
 struct Source {
     bool point = false;
-    glm::dvec3 direction{0, -1, 0}; ///< directional: unit, the way light travels
-    double weight = 1;              ///< directional: irradiance across `direction` over the light's own
-    glm::dvec3 position{0};         ///< point: m from the origin
-    glm::dvec3 strength{1};         ///< RGB: W/m² or W/sr
+    glm::dvec3 direction{0, -1, 0};      ///< unit, the way light travels; spot: its axis
+    double weight = 1;                   ///< directional: irradiance across `direction` over the light's own
+    glm::dvec3 position{0};              ///< point: m from the origin
+    glm::dvec3 strength{1};              ///< RGB: W/m² or W/sr
+    double cosInner = -2, cosOuter = -3; ///< spot: of its cone's angles; no spot by default
 
     /// Unit, the way light travels at `place`.
     glm::dvec3 incident(const glm::dvec3& place) const {
         return point ? glm::normalize(place - position) : direction;
     }
+    /// Share of a spot's strength that goes along `incident`, [0, 1]; 1 for what is no spot.
+    double withinCone(const glm::dvec3& incident) const;
     /// What a triangle takes, m² or sr; its corners counter-clockwise seen from above. Negative from below.
     double through(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) const;
     /// The same for a piece of surface at `place` that is above one m² of the level.

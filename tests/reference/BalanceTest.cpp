@@ -41,6 +41,34 @@ TEST(Balance, nothingIsLostOrMade) {
     }
 }
 
+TEST(Balance, aSpotSendsWhatItsConeHolds) {
+    Scene scene;
+    scene.receivers = {scenes::floorAt(-1)};
+    scene.caustics.mapSize = 32;
+    Light spot;
+    spot.type = LightType::Point;
+    spot.position = {0.1, 1, 0.05};
+    spot.innerCone = 6;
+    spot.outerCone = 14;
+    scene.lights = {spot};
+    scene.water.size = glm::dvec2(2);
+    scene.water.center = glm::dvec2(0);
+    const test::Traced traced = test::trace(scene, 100'000);
+    // The cone looks straight down: a ring at polar angle p has 2 pi sin p of solid angle
+    // (KHR_lights_punctual).
+    const double inner = std::cos(glm::radians(6.0)), outer = std::cos(glm::radians(14.0));
+    double expected = 0;
+    constexpr int rings = 4000;
+    for (int i = 0; i < rings; ++i) {
+        const double angle = (i + 0.5) / rings * glm::radians(14.0);
+        const double share = std::clamp((std::cos(angle) - outer) / (inner - outer), 0.0, 1.0);
+        expected += share * share * 2 * std::numbers::pi * std::sin(angle) * glm::radians(14.0) / rings *
+                    test::transmittance(angle, scene.water.ior);
+    }
+    EXPECT_NEAR(traced.light().entering, expected, 1e-3 * expected);
+    EXPECT_EQ(traced.irradiance(0, 0, 0), 0) << "past the cone";
+}
+
 TEST(Balance, aLampSendsItsSolidAngleThroughTheSurface) {
     for (const double height : {0.001, 0.05, 2.0}) {
         Scene scene;
