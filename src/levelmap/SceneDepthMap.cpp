@@ -5,7 +5,7 @@
 namespace limpid {
 
 namespace {
-enum Uniform { ReceiverNumber = 1, Farthest = 2, MapSize = 3 };
+enum Uniform { ReceiverNumber = 1, Farthest = 2, MapSize = 3, Closed = 4 };
 enum Unit : GLuint { First = 1, Solid = 5, Pyramid = 6 };
 constexpr glm::ivec2 groupSize{8, 8};
 } // namespace
@@ -33,15 +33,14 @@ SceneDepthPass::SceneDepthPass(gl::Context& context)
       _exit({"levelmap/scene_depth.vert", "levelmap/face.geom", "levelmap/scene_exit.frag"}),
       _range({"levelmap/scene_depth_range.comp"}), _pyramid(DepthPyramidPass::Content::RangeAndExit) {}
 
-void SceneDepthPass::drawReceivers(const gl::Program& program, glm::ivec2 size, const Inputs& inputs,
-                                   bool closedOnly) {
+void SceneDepthPass::drawReceivers(const gl::Program& program, glm::ivec2 size, const Inputs& inputs) {
     glEnable(GL_DEPTH_TEST);
     inputs.beams.frame.bindUniform(0);
     program.set(Farthest, float(inputs.farthest));
     program.set(MapSize, size);
     for (std::size_t i = 0; i < inputs.receivers.size(); ++i) {
-        if (closedOnly && !inputs.receivers[i].closed()) continue;
         program.set(ReceiverNumber, int(i));
+        if (&program == &_exit) program.set(Closed, inputs.receivers[i].closed() ? 1 : 0);
         inputs.receivers[i].draw(program);
     }
     glDisable(GL_DEPTH_TEST);
@@ -56,7 +55,7 @@ void SceneDepthPass::drawFirst(SceneDepth& depth, glm::ivec2 size, const Inputs&
     framebuffer.bind();
     framebuffer.clearColor(0, {1e30f, -1, 0, 0});
     framebuffer.clearDepth(1);
-    drawReceivers(_first, size, inputs, false);
+    drawReceivers(_first, size, inputs);
 }
 
 void SceneDepthPass::drawSolids(SceneDepth& depth, const Inputs& inputs) {
@@ -72,7 +71,7 @@ void SceneDepthPass::drawSolids(SceneDepth& depth, const Inputs& inputs) {
     framebuffer.clearColor(0, glm::vec4(0));
     framebuffer.clearDepth(1);
     depth.first.bind(First);
-    drawReceivers(_exit, size, inputs, true);
+    drawReceivers(_exit, size, inputs);
     depth.bind();
     solid.bind(Solid);
     depth.pyramid.bindImage(0, GL_WRITE_ONLY);

@@ -24,7 +24,8 @@ struct SceneDepth {
     /// behind.
     gl::Texture first;
     /// RGBA32F, all levels: least and greatest depth at which what is first is entered, least depth at which
-    /// it is left again, 0. A receiver that is not closed is left where it is entered.
+    /// it is left again, 0. Where a receiver has no back, it is left where it is
+    /// entered.
     gl::Texture pyramid;
 
     /// To the units that shaders/include/scene_depth.glsl and occlusion.glsl read.
@@ -46,7 +47,7 @@ class SceneDepthPass {
     void drawSolids(SceneDepth& depth, const Inputs& inputs);
 
   private:
-    void drawReceivers(const gl::Program& program, glm::ivec2 size, const Inputs& inputs, bool closedOnly);
+    void drawReceivers(const gl::Program& program, glm::ivec2 size, const Inputs& inputs);
     gl::Context& _context;
     gl::Program _first, _exit, _range;
     DepthPyramidPass _pyramid;

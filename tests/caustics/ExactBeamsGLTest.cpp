@@ -107,6 +107,32 @@ TEST_F(ExactBeamsGLTest, lightBalancesUnderWaves) {
     EXPECT_LT(std::abs(flux.rejected), 0.002 * flux.entering);
 }
 
+TEST_F(ExactBeamsGLTest, aSeamLeftOpenLetsNoLightThrough) {
+    Scene scene = floorPastSphere();
+    scene.water.waves = {scenes::cosine(0.02, 0.3, {1, 0.4})};
+    const auto whole = bake(scene).maps.at(0).irradiance;
+    Mesh mesh = *scene.receivers[1].mesh;
+    // Its lowest triangle lies in its own shade.
+    const auto height = [&](std::size_t t) { return mesh.positions[mesh.indices[3 * t]].y; };
+    std::size_t lowest = 0;
+    for (std::size_t t = 1; t < mesh.triangleCount(); ++t)
+        if (height(t) < height(lowest)) lowest = t;
+    mesh.indices.erase(mesh.indices.begin() + std::ptrdiff_t(3 * lowest),
+                       mesh.indices.begin() + std::ptrdiff_t(3 * lowest + 3));
+    mesh.parts[0].indexCount -= 3;
+    scene.receivers[1].mesh = std::make_shared<const Mesh>(std::move(mesh));
+    const auto open = bake(scene).maps.at(0).irradiance;
+    ASSERT_EQ(open.size(), whole.size());
+    double sum = 0, more = 0;
+    for (std::size_t i = 0; i < whole.size(); ++i) {
+        sum += whole[i];
+        more += std::abs(open[i] - whole[i]);
+    }
+    // The light that may get in where the triangle was: its share of the sphere's disc, times the disc's of
+    // the floor, is below 1e-5.
+    EXPECT_LT(more, 1e-5 * sum);
+}
+
 TEST_F(ExactBeamsGLTest, restingWaterCostsNothing) {
     Engine engine(context());
     Scene scene = floorPastSphere();
