@@ -8,6 +8,7 @@
 #include "io/GltfPose.h"
 #include "io/GltfPrimitive.h"
 #include "io/GltfViews.h"
+#include "scene/Places.h"
 
 namespace limpid::io {
 
@@ -40,6 +41,7 @@ Model loadModel(const std::filesystem::path& path) {
         if (file.model.nodes[node.node].mesh != -1) addMesh(file, node, skins, model.mesh);
     if (model.mesh.indices.empty()) file.fail("scene", "a mesh with triangles", "no triangles");
     addMaterials(file, model.mesh);
+    dropRepeatedTriangles(model.mesh);
     Bounds bounds;
     for (const glm::dvec3& p : model.mesh.positions)
         bounds.add(p);

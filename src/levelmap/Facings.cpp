@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <tuple>
+
+#include "scene/Places.h"
 
 namespace limpid {
 
@@ -55,23 +56,6 @@ void gather(Facings& facings, std::array<double, 4>& areas, const Face& face, co
     const std::size_t best = axisOf(facings, normal);
     areas[best] += face.area;
     facings.points[best].insert(facings.points[best].end(), face.corners.begin(), face.corners.end());
-}
-
-} // namespace
-
-namespace {
-
-/// For each corner, one number for all that lie at its place.
-std::vector<std::uint32_t> placesOf(const std::vector<glm::dvec3>& positions) {
-    std::vector<std::uint32_t> order(positions.size()), places(positions.size());
-    std::iota(order.begin(), order.end(), 0u);
-    const auto key = [&](std::uint32_t i) {
-        return std::tuple(positions[i].x, positions[i].y, positions[i].z);
-    };
-    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
-    for (std::size_t i = 0; i < order.size(); ++i)
-        places[order[i]] = i > 0 && key(order[i]) == key(order[i - 1]) ? places[order[i - 1]] : order[i];
-    return places;
 }
 
 } // namespace

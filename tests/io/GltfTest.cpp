@@ -216,6 +216,22 @@ TEST(GltfTest, DeepChainsOfNodesAreNoProblem) {
     EXPECT_EQ(load(gltf).triangleCount(), 1u);
 }
 
+TEST(GltfTest, ATriangleGivenTwiceIsOneWhicheverWayItIsWound) {
+    SmallGltf gltf;
+    const int corners = gltf.add<float>("VEC3", {0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 1, 0, 1, 0, 0});
+    // The same corners, by other numbers, from another start, and the other way round; then another triangle.
+    const int indices = gltf.add<std::uint16_t>("SCALAR", {0, 2, 1, 2, 4, 0, 0, 1, 2, 0, 1, 3});
+    gltf.addMesh({{"attributes", {{"POSITION", corners}}}, {"indices", indices}});
+    gltf.addMesh({{"attributes", {{"POSITION", corners}}}, {"indices", indices}, {"material", 0}});
+    gltf.json["materials"] = {json::object()};
+    const Mesh mesh = load(gltf);
+    ASSERT_EQ(mesh.parts.size(), 2u) << "another material is another triangle";
+    // Without normals every corner is a vertex: the first and the fourth triangle are left.
+    EXPECT_EQ(mesh.indices, (std::vector<std::uint32_t>{0, 1, 2, 9, 10, 11, 12, 13, 14, 21, 22, 23}));
+    EXPECT_EQ(mesh.parts[0].indexCount, 6u);
+    EXPECT_EQ(mesh.parts[1].firstIndex, 6u);
+}
+
 TEST(GltfTest, MaterialsSplitTheMeshIntoParts) {
     SmallGltf gltf = triangleGltf();
     gltf.json["materials"] = {{{"pbrMetallicRoughness", {{"baseColorFactor", {0.5, 0.25, 0, 0.75}}}}},
@@ -224,6 +240,8 @@ TEST(GltfTest, MaterialsSplitTheMeshIntoParts) {
     for (const int material : {1, 1, 0})
         gltf.addMesh({{"attributes", {{"POSITION", 0}}}, {"material", material}});
     gltf.addMesh({{"attributes", {{"POSITION", 0}}}});
+    for (std::size_t i = 1; i < gltf.json["nodes"].size(); ++i)
+        gltf.json["nodes"][i]["translation"] = {0, i, 0};
     const Mesh mesh = load(gltf);
     ASSERT_EQ(mesh.materials.size(), 3u);
     EXPECT_EQ(mesh.materials[0].baseColor, glm::vec4(0.5, 0.25, 0, 0.75));
