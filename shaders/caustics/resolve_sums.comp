@@ -1,10 +1,12 @@
 // From summed flux to irradiance; leaves the sums at zero for the next map.
-// In: flux sums, one or three channels; normal map RG16. Out, RGBA32F: W/m² on the receiver's own surface.
+// In: flux sums, one or three channels; normal map RG16; tangent planes, which say where no receiver is: beams at its
+// edge leave light there. Out, RGBA32F: W/m² on the receiver's own surface.
 #include "include/box.glsl"
 #include "include/flux_sums.glsl"
 #include "include/octahedral.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = 0) uniform sampler2D normalMap;
+layout(binding = 1) uniform sampler2D tangentPlanes; // RGBA32F
 layout(rgba32f, binding = 0) uniform writeonly image2D irradiance;
 layout(location = 0) uniform vec3 wattsPerStep; // over the area of a texel: W/m²
 layout(location = 1) uniform int channels;
@@ -22,6 +24,7 @@ void main() {
     vec3 sum;
     if (channels == 1) sum = vec3(takeSum(index));
     else sum = vec3(takeSum(3 * index), takeSum(3 * index + 1), takeSum(3 * index + 2));
+    if (texelFetch(tangentPlanes, texel, 0).x >= 1e30) sum = vec3(0.0);
     vec3 normal = octahedralDecode(texelFetch(normalMap, texel, 0).xy);
     // As the bake has it: the normal's 16 bits cannot say less.
     float facing = max(abs(dot(normal, boxT.xyz)), 4e-5);

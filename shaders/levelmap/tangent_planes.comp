@@ -3,8 +3,9 @@
 // Out 0, RGBA32F: depth of the surface at the texel's centre, m (1e30: no receiver); how that depth grows by a texel
 //        to the right and down, m; how far aside a beam to it may start and surely arrive (negative: surely not), m
 //        (occlusion.glsl).
-// Out 1, RG32F: least and greatest depth of the plane within the texel, less what the receiver leans (boxShear), m (1e30, -1e30: no receiver): the finest
-//        level of the depth pyramid.
+// Out 1, RGBA32F, the finest level of the depth pyramid: least and greatest depth of the plane within the texel, less
+//        what the receiver leans (boxShear), m; how far aside a beam may start and surely arrive, and surely not, m
+//        (1e30, -1e30, 1e30, 1e30: no receiver).
 #include "include/box.glsl"
 #include "include/occlusion.glsl"
 #include "include/octahedral.glsl"
@@ -13,7 +14,7 @@ layout(binding = 0) uniform sampler2D positionMap;
 layout(binding = 2) uniform sampler2D normalMap;
 layout(location = 0) uniform int testOcclusion; // 0: nothing else can be before it
 layout(rgba32f, binding = 0) uniform writeonly image2D tangentPlanes;
-layout(rg32f, binding = 1) uniform writeonly image2D depthRange;
+layout(rgba32f, binding = 1) uniform writeonly image2D depthRange;
 
 // A face steeper than this against the map has its light from its neighbours: a texel then spans 1000 of its widths.
 const float leastFacing = 1e-3;
@@ -26,7 +27,7 @@ void main() {
     vec2 position = texelFetch(positionMap, texel, 0).xy;
     if (position.y == -1.0 || position.y == -3.0) {
         imageStore(tangentPlanes, texel, vec4(1e30, 0.0, 0.0, 0.0));
-        imageStore(depthRange, texel, vec4(1e30, -1e30, 0.0, 0.0));
+        imageStore(depthRange, texel, vec4(1e30, -1e30, 1e30, 1e30));
         return;
     }
     vec3 normal = boxDirection(normalOf(texel));
@@ -42,5 +43,5 @@ void main() {
         aside = certainAside(point + besideFace(normalOf(texel)), length(rise) / boxExtent.w);
     }
     imageStore(tangentPlanes, texel, vec4(position.x, rise, aside));
-    imageStore(depthRange, texel, vec4(upright - reach, upright + reach, 0.0, 0.0));
+    imageStore(depthRange, texel, vec4(upright - reach, upright + reach, max(aside, 0.0), max(-aside, 0.0)));
 }

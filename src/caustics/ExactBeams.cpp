@@ -13,10 +13,10 @@ enum Uniform {
     Quads,
     StepsPerFlux,
     ExtinctionPerMetre,
-    MetresBefore,
     TestOcclusion,
     TestSurfaceShadow,
-    ReceiverNumber
+    ReceiverNumber,
+    ListNumber
 };
 enum ResolveUniform { WattsPerStep, Channels };
 constexpr int groupSize = 64;
@@ -29,6 +29,13 @@ constexpr double stepsPerTexel = 1 << 22;
 /// Tiles of large beams that wait for their pass: 1 MiB of them. Beyond, beams are walked where they are.
 constexpr std::int64_t mostTiles = 65536;
 constexpr int largeGroups = 512;
+
+/// As shaders/include/beam_lists.glsl has them.
+enum List { Plain, Shaded };
+struct ListWork {
+    std::uint32_t groups[3]{0, 1, 1};
+    std::uint32_t count = 0;
+};
 
 bool isGrey(const glm::dvec3& v) {
     return v.x == v.y && v.y == v.z;
@@ -48,16 +55,19 @@ double unfocusedFlux(const LevelMap& map, const Light& light) {
 ExactBeams::ExactBeams(gl::Context& context)
     : _context(context), _footprints(context), _resolve({"caustics/resolve_sums.comp"}) {}
 
-const gl::Program& ExactBeams::program(const Variant& variant) {
+const gl::Program& ExactBeams::program(Pass pass, const Variant& variant) {
     std::optional<gl::Program>& program =
-        _programs[std::size_t(variant.paths) + 2 * std::size_t(variant.coloured) +
-                  4 * std::size_t(variant.large)];
+        _programs[std::size_t(pass)][std::size_t(variant.extinction) + 2 * std::size_t(variant.coloured) +
+                                     4 * std::size_t(variant.shaded)];
     if (program) return *program;
     std::vector<std::string> defines;
-    if (variant.paths) defines.emplace_back("PATHS");
+    if (variant.extinction) defines.emplace_back("EXTINCTION");
     if (variant.coloured) defines.emplace_back("COLOURED");
-    if (variant.large) defines.emplace_back("LARGE");
-    return program.emplace(std::initializer_list<const char*>{"caustics/exact_beams.comp"}, defines);
+    if (variant.shaded) defines.emplace_back("SHADED");
+    if (pass == Pass::Tiles) defines.emplace_back("LARGE");
+    const char* file =
+        pass == Pass::AllQuads ? "caustics/exact_beams.comp" : "caustics/exact_beams_by_texel.comp";
+    return program.emplace(std::initializer_list<const char*>{file}, defines);
 }
 
 void ExactBeams::reserveSums(std::int64_t count) {
@@ -67,40 +77,72 @@ void ExactBeams::reserveSums(std::int64_t count) {
     _sums.clearToZero();
 }
 
-void ExactBeams::deposit(const Inputs& inputs, bool coloured, double stepsPerFlux) {
-    const glm::dvec3 extinction = inputs.water.absorption + inputs.water.scattering;
-    const bool paths = extinction != glm::dvec3(0) || inputs.sceneDepth || inputs.beams.surfaceShadow;
-    _footprints.updateRays(inputs.beams, inputs.surface, inputs.map);
-    if (!_largeBeams.id()) _largeBeams = gl::Buffer(_context.ledger(), "large beams", 16 * (mostTiles + 1));
-    constexpr std::int32_t none[4] = {};
-    _largeBeams.write(0, sizeof(none), none);
+/// Room for the lists and tiles, both empty.
+void ExactBeams::prepareLists(std::int64_t quads) {
+    gl::Ledger& ledger = _context.ledger();
+    constexpr ListWork none[2];
+    const std::int64_t bytes = std::int64_t(sizeof(none)) + 2 * 4 * quads;
+    if (_lists.bytes() != bytes) _lists = gl::Buffer(ledger, "beam lists", bytes);
+    _lists.write(0, sizeof(none), none);
+    if (!_largeBeams.id()) _largeBeams = gl::Buffer(ledger, "large beams", 16 * (mostTiles + 1));
+    constexpr std::int32_t noTiles[4] = {};
+    _largeBeams.write(0, sizeof(noTiles), noTiles);
+}
+
+void ExactBeams::bind(const Inputs& inputs) const {
+    inputs.beams.frame.bindUniform(0);
     inputs.map.box.bindUniform(1);
     inputs.planes.planes.bind(0);
     inputs.planes.depthPyramid.bind(2);
+    inputs.map.normal.bind(7);
     inputs.beams.flux.bindStorage(5);
     _footprints.rays().bindStorage(6);
     _footprints.originDepths().bindStorage(7);
     _sums.bindStorage(8);
-    _largeBeams.bindStorage(9);
-    inputs.beams.frame.bindUniform(0);
-    inputs.map.normal.bind(7);
+    _lists.bindStorage(10);
     if (inputs.sceneDepth) inputs.sceneDepth->bind();
     if (inputs.beams.surfaceShadow) inputs.beams.surfaceShadow->bind(surfaceShadowUnit);
-    for (const bool large : {false, true}) {
-        const gl::Program& deposit = program({paths, coloured, large});
-        deposit.set(Quads, inputs.surface.quads);
-        deposit.set(StepsPerFlux, float(stepsPerFlux));
-        if (paths) {
-            deposit.set(ExtinctionPerMetre, glm::vec3(extinction));
-            deposit.set(MetresBefore, 0.0f);
-            deposit.set(TestOcclusion, inputs.sceneDepth ? 1 : 0);
-            deposit.set(ReceiverNumber, inputs.receiverNumber);
-            deposit.set(TestSurfaceShadow, inputs.beams.surfaceShadow ? 1 : 0);
-        }
-        const std::int64_t quads = std::int64_t(inputs.surface.quads.x) * inputs.surface.quads.y;
-        deposit.dispatch(large ? largeGroups * groupSize : quads, groupSize);
-        glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+}
+
+void ExactBeams::set(const gl::Program& program, const Inputs& inputs, const Variant& variant,
+                     double stepsPerFlux) const {
+    program.set(Quads, inputs.surface.quads);
+    program.set(StepsPerFlux, float(stepsPerFlux));
+    if (variant.extinction)
+        program.set(ExtinctionPerMetre, glm::vec3(inputs.water.absorption + inputs.water.scattering));
+    if (!variant.shaded) return;
+    program.set(TestOcclusion, inputs.sceneDepth ? 1 : 0);
+    program.set(TestSurfaceShadow, inputs.beams.surfaceShadow ? 1 : 0);
+}
+
+void ExactBeams::deposit(const Inputs& inputs, bool coloured, double stepsPerFlux) {
+    const bool extinction = inputs.water.absorption + inputs.water.scattering != glm::dvec3(0);
+    const bool mayBeShaded = inputs.sceneDepth || inputs.beams.surfaceShadow;
+    const std::int64_t quads = std::int64_t(inputs.surface.quads.x) * inputs.surface.quads.y;
+    _footprints.updateRays(inputs.beams, inputs.surface, inputs.map);
+    prepareLists(quads);
+    bind(inputs);
+    const auto use = [&](Pass pass, bool shaded) -> const gl::Program& {
+        const Variant variant{extinction, coloured, shaded};
+        const gl::Program& found = program(pass, variant);
+        set(found, inputs, variant, stepsPerFlux);
+        if (pass != Pass::AllQuads && shaded) found.set(ReceiverNumber, inputs.receiverNumber);
+        return found;
+    };
+    inputs.beams.lit.bindStorage(9);
+    use(Pass::AllQuads, mayBeShaded).dispatch(quads, groupSize);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
+
+    _largeBeams.bindStorage(9);
+    for (const List list : {Plain, Shaded}) {
+        if (list == Shaded && !mayBeShaded) continue;
+        const gl::Program& byTexel = use(Pass::Listed, list == Shaded);
+        byTexel.set(ListNumber, int(list));
+        byTexel.dispatchIndirect(_lists, std::int64_t(list) * std::int64_t(sizeof(ListWork)));
     }
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    use(Pass::Tiles, mayBeShaded).dispatch(largeGroups * groupSize, groupSize);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
 void ExactBeams::fill(CausticMap& caustics, const Inputs& inputs) {
@@ -114,6 +156,7 @@ void ExactBeams::fill(CausticMap& caustics, const Inputs& inputs) {
 
     inputs.map.box.bindUniform(1);
     inputs.map.normal.bind(0);
+    inputs.planes.planes.bind(1);
     caustics.irradiance.bindImage(0, GL_WRITE_ONLY);
     _sums.bindStorage(8);
     _resolve.set(WattsPerStep, glm::vec3(inputs.beams.strength * (perStep / inputs.map.frame.texelArea())));

@@ -34,23 +34,32 @@ class ExactBeams {
     void free() {
         _footprints.free();
         _sums = {};
+        _lists = {};
         _largeBeams = {};
     }
 
   private:
+    /// The dispatches of a fill: all quads; those of a list; tiles of the quads that touch many texels.
+    enum class Pass { AllQuads, Listed, Tiles };
+    /// What a program is compiled for.
+    struct Variant {
+        bool extinction, coloured, shaded;
+    };
+    const gl::Program& program(Pass pass, const Variant& variant);
     void reserveSums(std::int64_t count);
+    void prepareLists(std::int64_t quads);
+    void bind(const Inputs& inputs) const;
+    void set(const gl::Program& program, const Inputs& inputs, const Variant& variant,
+             double stepsPerFlux) const;
     void deposit(const Inputs& inputs, bool coloured, double stepsPerFlux);
+
     gl::Context& _context;
     BeamFootprints _footprints;
-    /// What a dispatch of exact_beams.comp is compiled for.
-    struct Variant {
-        bool paths, coloured, large;
-    };
-    const gl::Program& program(const Variant& variant);
-    std::array<std::optional<gl::Program>, 8> _programs; ///< compiled when first needed
+    std::array<std::array<std::optional<gl::Program>, 8>, 3> _programs; ///< compiled when first needed
     gl::Program _resolve;
     gl::Buffer _sums;       ///< zero between maps
-    gl::Buffer _largeBeams; ///< as exact_beams.comp has it
+    gl::Buffer _lists;      ///< as shaders/include/beam_lists.glsl has it
+    gl::Buffer _largeBeams; ///< as exact_beams_by_texel.comp has it
 };
 
 } // namespace limpid

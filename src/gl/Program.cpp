@@ -81,6 +81,12 @@ void Program::dispatch(std::int64_t items, int groupSize) const {
     glDispatchCompute(GLuint((groups + rows - 1) / rows), GLuint(rows), 1);
 }
 
+void Program::dispatchIndirect(const Buffer& buffer, std::int64_t offset) const {
+    use();
+    glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, buffer.id());
+    glDispatchComputeIndirect(GLintptr(offset));
+}
+
 void Program::dispatch2D(glm::ivec2 items, glm::ivec2 groupSize) const {
     if (items.x <= 0 || items.y <= 0) return;
     use();

@@ -7,6 +7,7 @@
 #include <glm/glm.hpp>
 
 #include "gl/Api.h"
+#include "gl/Handles.h"
 
 namespace limpid::gl {
 
@@ -40,6 +41,8 @@ class Program {
     /// Runs a compute program over at least `items` invocations in groups of `groupSize` (as the shader has
     /// it).
     void dispatch(std::int64_t items, int groupSize) const;
+    /// Groups by x, y and z as `buffer` has them at `offset` bytes, three 32-bit numbers.
+    void dispatchIndirect(const Buffer& buffer, std::int64_t offset) const;
     void dispatch2D(glm::ivec2 items, glm::ivec2 groupSize) const;
 
   private:

@@ -1,18 +1,12 @@
 #include "levelmap/DepthPyramid.h"
 
-#include <vector>
-
 namespace limpid {
 
 namespace {
 constexpr glm::ivec2 groupSize{8, 8};
 } // namespace
 
-DepthPyramidPass::DepthPyramidPass(Content content) {
-    std::vector<std::string> defines;
-    if (content == Content::RangeAndExit) defines.emplace_back("EXITS");
-    _program = gl::Program({"levelmap/depth_pyramid.comp"}, defines);
-}
+DepthPyramidPass::DepthPyramidPass() : _program({"levelmap/depth_pyramid.comp"}) {}
 
 void DepthPyramidPass::reduce(gl::Texture& pyramid) {
     for (int level = 1; level < pyramid.levels(); ++level) {

@@ -8,11 +8,10 @@ namespace limpid {
 /// texels, so that a beam learns from a few reads what depths it can meet.
 class DepthPyramidPass {
   public:
-    /// RG32F: least, greatest; RGBA32F: the same, least depth of exit, 0.
-    enum class Content { Range, RangeAndExit };
-    explicit DepthPyramidPass(Content content);
+    DepthPyramidPass();
 
-    /// Level 0 is there, written as an image; after it every level can be fetched.
+    /// RGBA32F: of a block the least of x, z and w and the greatest of y. Level 0 is there, written as an
+    /// image; after it every level can be fetched.
     void reduce(gl::Texture& pyramid);
 
   private:

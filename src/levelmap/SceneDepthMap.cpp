@@ -31,7 +31,7 @@ SceneDepthPass::SceneDepthPass(gl::Context& context)
     : _context(context),
       _first({"levelmap/scene_depth.vert", "levelmap/face.geom", "levelmap/scene_depth.frag"}),
       _exit({"levelmap/scene_depth.vert", "levelmap/face.geom", "levelmap/scene_exit.frag"}),
-      _range({"levelmap/scene_depth_range.comp"}), _pyramid(DepthPyramidPass::Content::RangeAndExit) {}
+      _range({"levelmap/scene_depth_range.comp"}) {}
 
 void SceneDepthPass::drawReceivers(const gl::Program& program, glm::ivec2 size, const Inputs& inputs) {
     glEnable(GL_DEPTH_TEST);

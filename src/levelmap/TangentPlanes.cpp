@@ -8,8 +8,7 @@ enum Uniform { TestOcclusion };
 } // namespace
 
 TangentPlanesPass::TangentPlanesPass(gl::Context& context)
-    : _context(context), _planes({"levelmap/tangent_planes.comp"}),
-      _pyramid(DepthPyramidPass::Content::Range) {}
+    : _context(context), _planes({"levelmap/tangent_planes.comp"}) {}
 
 void TangentPlanesPass::update(TangentPlanes& planes, const LevelMap& map, const Beams& beams,
                                const SceneDepth* sceneDepth) {
@@ -17,7 +16,7 @@ void TangentPlanesPass::update(TangentPlanes& planes, const LevelMap& map, const
     if (!planes.planes.id() || planes.planes.size() != size) {
         gl::Ledger& ledger = _context.ledger();
         planes.planes = gl::Texture(ledger, "tangent planes", GL_RGBA32F, size);
-        planes.depthPyramid = gl::Texture(ledger, "depth pyramid", GL_RG32F, size, gl::Mipmaps::Full);
+        planes.depthPyramid = gl::Texture(ledger, "depth pyramid", GL_RGBA32F, size, gl::Mipmaps::Full);
     }
     beams.frame.bindUniform(0);
     map.box.bindUniform(1);

@@ -14,7 +14,8 @@ struct TangentPlanes {
     /// right and down, m; how far aside a beam may start
     /// and its fate be certain, m (shaders/include/occlusion.glsl).
     gl::Texture planes;
-    /// RG32F with all its levels: least and greatest depth by blocks of texels, m.
+    /// RGBA32F with all its levels, by blocks of texels: least and greatest depth, m; how far aside a beam
+    /// may start and surely arrive at all of them, and surely at none, m.
     gl::Texture depthPyramid;
 };
 

@@ -38,9 +38,15 @@ Polygon clipped(Polygon polygon) {
     return polygon;
 }
 
+double inRectangle(const std::array<glm::vec2, 3>& t, const glm::vec2& low, const glm::vec2& high) {
+    double sum = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+        sum += double(shader::edgeInRectangle(shader::beamEdge(t[i], t[(i + 1) % 3]), low, high));
+    return std::abs(sum);
+}
+
 double inSquare(const std::array<glm::vec2, 3>& t) {
-    return std::abs(double(shader::edgeInSquare(t[0], t[1])) + double(shader::edgeInSquare(t[1], t[2])) +
-                    double(shader::edgeInSquare(t[2], t[0])));
+    return inRectangle(t, glm::vec2(0), glm::vec2(1));
 }
 
 TEST(BeamAreaTest, agreesWithAClippedPolygon) {
@@ -80,10 +86,42 @@ TEST(BeamAreaTest, texelsShareAllOfABeam) {
         for (int y = 0; y < 6; ++y)
             for (int x = 0; x < 6; ++x)
                 sum += inSquare({t[0] - glm::vec2(x, y), t[1] - glm::vec2(x, y), t[2] - glm::vec2(x, y)});
-        const double whole = std::abs(shader::edgeArea(t[0], t[1]) + shader::edgeArea(t[1], t[2]) +
-                                      shader::edgeArea(t[2], t[0]));
+        const double whole = 0.5 * std::abs(double(shader::cross2(t[1] - t[0], t[2] - t[0])));
         EXPECT_NEAR(sum, whole, 36 * 6e-7 * 7);
     }
+}
+
+TEST(BeamAreaTest, aTexelInsideALargeBeamIsWhole) {
+    std::mt19937 random(17);
+    std::uniform_real_distribution<float> jitter(-1, 1);
+    for (int i = 0; i < 1000; ++i) {
+        const std::array<glm::vec2, 3> t{glm::vec2(-300 + jitter(random), -200 + jitter(random)),
+                                         {700 + jitter(random), -250 + jitter(random)},
+                                         {100 + jitter(random), 600 + jitter(random)}};
+        // Edges of a thousand texels err by their length times a float's rounding, three of them.
+        EXPECT_NEAR(inSquare(t), 1, 3 * 1000 * 6e-8);
+    }
+}
+
+TEST(BeamAreaTest, aBeamInFocusIsAsExactAsAWideOne) {
+    // All of a small triangle around the corner of four texels, each cut down to the triangle's bounds.
+    std::mt19937 random(13);
+    std::uniform_real_distribution<float> unit(-1, 1);
+    for (const float size : {1e-3f, 1e-5f})
+        for (int i = 0; i < 1000; ++i) {
+            std::array<glm::vec2, 3> t{glm::vec2(0), size * glm::vec2(unit(random), unit(random)),
+                                       size * glm::vec2(unit(random), unit(random))};
+            const glm::vec2 cross = 0.4f * (t[1] + t[2]); // where the four texels meet
+            const glm::vec2 least = glm::min(t[0], glm::min(t[1], t[2]));
+            const glm::vec2 most = glm::max(t[0], glm::max(t[1], t[2]));
+            double sum = 0;
+            for (int k = 0; k < 4; ++k) {
+                const glm::bvec2 right(k % 2 == 1, k / 2 == 1);
+                sum += inRectangle(t, glm::mix(least, cross, right), glm::mix(cross, most, right));
+            }
+            const double whole = 0.5 * std::abs(double(shader::cross2(t[1], t[2])));
+            EXPECT_NEAR(sum, whole, 4e-6 * double(size) * double(size));
+        }
 }
 
 TEST(BeamAreaTest, aLineHasNoArea) {
