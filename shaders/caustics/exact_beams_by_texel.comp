@@ -96,8 +96,8 @@ const int tileSide = 16;
 const int settled = -1;
 // Its tiles: quad, slab (or `settled`), place of the tile's first texel.
 layout(std430, binding = 9) buffer LargeBeams {
-    int tileCount; // asked for; those beyond the buffer's end are not in it
-    int padding[3];
+    uvec3 tileGroups; // to dispatch: a work group a tile
+    int tileCount;    // asked for; those beyond the buffer's end are not in it
     ivec4 tiles[];
 };
 
@@ -106,6 +106,7 @@ bool leaveToMany(int quad, int number, Slab slab) {
     ivec2 count = (slab.high - slab.low) / tileSide + 1;
     int first = atomicAdd(tileCount, count.x * count.y), end = first + count.x * count.y;
     bool fits = end <= tiles.length();
+    atomicMax(tileGroups.x, uint(min(end, tiles.length())));
     for (int i = first; i < min(end, tiles.length()); ++i) {
         ivec2 tile = slab.low + tileSide * ivec2((i - first) % count.x, (i - first) / count.x);
         tiles[i] = ivec4(fits ? quad : -1, number, tile);
@@ -126,24 +127,21 @@ void walk(Quad quad, Slab slab, int index, int number) {
 #ifdef LARGE
 // One work group a tile.
 void main() {
-    int count = min(tileCount, tiles.length());
-    for (int item = int(gl_WorkGroupID.x); item < count; item += int(gl_NumWorkGroups.x)) {
-        ivec4 tile = tiles[item];
-        Quad quad;
-        if (tile.x < 0 || !loadQuad(tile.x, quad)) continue;
-        vec4 a = quad.p, b = quad.q, c = quad.r, d = quad.s;
-        Slab slab;
-        vec2 depths;
-        if (tile.y == settled) {
-            lean(a), lean(b), lean(c), lean(d);
-            settle(a, b, c, d, slab, depths);
-        } else {
-            slabAlong(quad, tile.y, 1, slabsAlong(quad), slab);
-        }
-        for (int i = int(gl_LocalInvocationIndex); i < tileSide * tileSide; i += int(gl_WorkGroupSize.x)) {
-            ivec2 texel = tile.zw + ivec2(i % tileSide, i / tileSide);
-            if (all(lessThanEqual(texel, slab.high))) touch(quad, slab, texel);
-        }
+    ivec4 tile = tiles[gl_WorkGroupID.x];
+    Quad quad;
+    if (tile.x < 0 || !loadQuad(tile.x, quad)) return;
+    vec4 a = quad.p, b = quad.q, c = quad.r, d = quad.s;
+    Slab slab;
+    vec2 depths;
+    if (tile.y == settled) {
+        lean(a), lean(b), lean(c), lean(d);
+        settle(a, b, c, d, slab, depths);
+    } else {
+        slabAlong(quad, tile.y, 1, slabsAlong(quad), slab);
+    }
+    for (int i = int(gl_LocalInvocationIndex); i < tileSide * tileSide; i += int(gl_WorkGroupSize.x)) {
+        ivec2 texel = tile.zw + ivec2(i % tileSide, i / tileSide);
+        if (all(lessThanEqual(texel, slab.high))) touch(quad, slab, texel);
     }
 }
 #else

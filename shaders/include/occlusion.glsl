@@ -31,6 +31,24 @@ vec3 sceneRange(ivec2 low, ivec2 high) {
                 min(min(p.z, q.z), min(r.z, s.z)));
 }
 
+// How far aside the nearest places let a beam start, m: each texel by itself, `depth` and `first` as in certainAside.
+// Negative where the point is in the shade of what is right before it.
+float asideOfNearest(ivec2 at, float depth, float first, float width) {
+    ivec2 last = textureSize(scenePyramid, 0) - 1;
+    float certain = 1e30;
+    for (int y = -2; y <= 2; ++y)
+        for (int x = -2; x <= 2; ++x) {
+            ivec2 place = at + ivec2(x, y);
+            if (any(lessThan(place, ivec2(0))) || any(greaterThan(place, last))) continue;
+            float entered = texelFetch(scenePyramid, place, 0).x;
+            int offset = max(abs(x), abs(y));
+            if (entered >= first) continue;
+            if (offset <= 1) return -1.0;
+            certain = min(certain, (float(offset) - 0.5) * width * depth / (depth - entered));
+        }
+    return certain;
+}
+
 // How far aside a beam to `point` may start and its fate still be certain, m: positive, and it arrives; negative, and it
 // does not; 0, and only following it can tell. `slope` as for contact().
 float certainAside(vec3 point, float slope) {
@@ -41,29 +59,29 @@ float certainAside(vec3 point, float slope) {
     float width = min(texel.x, texel.y);
     ivec2 at = ivec2(floor(sceneDepthUv(entry) * size));
     int furthest = int(2.0 * max(size.x, size.y));
-    vec3 range = sceneRange(at - 2, at + 2);
-    if (range.x < first) {
+    float certain = asideOfNearest(at, depth, first, width);
+    if (certain < 0.0) {
         // In the shade, as far as all that is around is inside of something at one depth.
         float dark = 0.0;
         for (int reach = 2; reach < furthest; reach *= 2) {
-            if (reach > 2) range = sceneRange(at - reach, at + reach);
+            vec3 range = sceneRange(at - reach, at + reach);
             if (range.y >= min(range.z, first)) break;
             dark = (float(reach) - 1.5) * width;
         }
         return -dark;
     }
-    float certain = 1e30;
     for (int reach = 4; reach < furthest; reach *= 2) {
         // What is nearer than half the reach was seen before.
-        float near = (float(reach / 2) - 1.5) * width;
+        float near = (float(reach / 2) - 0.5) * width;
         if (certain <= near) break;
-        range = sceneRange(at - reach, at + reach);
+        vec3 range = sceneRange(at - reach, at + reach);
         if (range.x < first) certain = min(certain, near * depth / (depth - range.x));
     }
     return certain;
 }
 
-// Follows a beam from `start` at the surface to `point` of a receiver, a texel of the map at a time.
+// Follows a beam from `start` at the surface to `point` of a receiver, a texel of the map at a time. (Asking the pyramid
+// for eight at once cost more than it saved: software GL runs both ways of every branch.)
 bool isTaken(vec3 start, vec3 point, float slope, int receiverNumber) {
     vec3 entry = entryPoint(point);
     float depth = distance(point, entry);
@@ -72,11 +90,10 @@ bool isTaken(vec3 start, vec3 point, float slope, int receiverNumber) {
     vec2 size = vec2(textureSize(sceneDepth, 0));
     vec2 from = sceneDepthUv(entryPoint(start)) * size, to = sceneDepthUv(entry) * size;
     int steps = clamp(int(ceil(max(abs(to.x - from.x), abs(to.y - from.y)))), 1, 128);
-    float before = 0.0;
     for (int i = 0; i < steps; ++i) {
         // The stretch of the beam over one place: entered and left depth of the beam there.
         float f = (float(i) + 0.5) / float(steps);
-        float after = depth * float(i + 1) / float(steps);
+        float before = depth * float(i) / float(steps), after = depth * float(i + 1) / float(steps);
         ivec2 place = ivec2(floor(mix(from, to, f)));
         if (all(greaterThanEqual(place, ivec2(0))) && all(lessThan(place, ivec2(size)))) {
             vec3 solid = texelFetch(scenePyramid, place, 0).xyz;
@@ -84,7 +101,6 @@ bool isTaken(vec3 start, vec3 point, float slope, int receiverNumber) {
             float reached = min(after, itself ? beforeItself : beforeOthers);
             if (reached > solid.x && before <= solid.z) return true;
         }
-        before = after;
     }
     return false;
 }

@@ -26,9 +26,9 @@ constexpr glm::ivec2 resolveGroupSize{8, 8};
 /// holds a thousandfold focus.
 constexpr double stepsPerTexel = 1 << 22;
 
-/// Tiles of large beams that wait for their pass: 1 MiB of them. Beyond, beams are walked where they are.
-constexpr std::int64_t mostTiles = 65536;
-constexpr int largeGroups = 512;
+/// Tiles of large beams that wait for their pass, a work group each: 1 MiB of them. Beyond, beams are walked
+/// where they are.
+constexpr std::int64_t mostTiles = 65535;
 
 /// As shaders/include/beam_lists.glsl has them.
 enum List { Plain, Shaded };
@@ -85,8 +85,8 @@ void ExactBeams::prepareLists(std::int64_t quads) {
     if (_lists.bytes() != bytes) _lists = gl::Buffer(ledger, "beam lists", bytes);
     _lists.write(0, sizeof(none), none);
     if (!_largeBeams.id()) _largeBeams = gl::Buffer(ledger, "large beams", 16 * (mostTiles + 1));
-    constexpr std::int32_t noTiles[4] = {};
-    _largeBeams.write(0, sizeof(noTiles), noTiles);
+    constexpr ListWork noTiles;
+    _largeBeams.write(0, sizeof(noTiles), &noTiles);
 }
 
 void ExactBeams::bind(const Inputs& inputs) const {
@@ -140,8 +140,8 @@ void ExactBeams::deposit(const Inputs& inputs, bool coloured, double stepsPerFlu
         byTexel.set(ListNumber, int(list));
         byTexel.dispatchIndirect(_lists, std::int64_t(list) * std::int64_t(sizeof(ListWork)));
     }
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-    use(Pass::Tiles, mayBeShaded).dispatch(largeGroups * groupSize, groupSize);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
+    use(Pass::Tiles, mayBeShaded).dispatchIndirect(_largeBeams, 0);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
