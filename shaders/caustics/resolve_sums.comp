@@ -11,19 +11,10 @@ layout(rgba32f, binding = 0) uniform writeonly image2D irradiance;
 layout(location = 0) uniform vec3 wattsPerStep; // over the area of a texel: W/m²
 layout(location = 1) uniform int channels;
 
-float takeSum(int index) {
-    float sum = float(sums[2 * index]) + 4294967296.0 * float(sums[2 * index + 1]);
-    if (sum > 0.0) sums[2 * index] = 0u, sums[2 * index + 1] = 0u;
-    return sum;
-}
-
 void main() {
     ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(texel, boxSize.xy))) return;
-    int index = texel.y * boxSize.x + texel.x;
-    vec3 sum;
-    if (channels == 1) sum = vec3(takeSum(index));
-    else sum = vec3(takeSum(3 * index), takeSum(3 * index + 1), takeSum(3 * index + 2));
+    vec3 sum = takeSums(texel.y * boxSize.x + texel.x, channels);
     if (texelFetch(tangentPlanes, texel, 0).x >= 1e30) sum = vec3(0.0);
     vec3 normal = octahedralDecode(texelFetch(normalMap, texel, 0).xy);
     // As the bake has it: the normal's 16 bits cannot say less.

@@ -1,6 +1,6 @@
 // What one beam gives a texel that the beam's intersection triangle with a plane covers (thesis 4.5, eq. 4-18 with
 // Fresnel, RGB extinction along the beam, and the receiver's own cosine). For fragment shaders after drawn_plane.vert.
-#include "include/box.glsl"
+#include "include/footprint.glsl"
 #include "include/surface_shadow.glsl"
 layout(std430, binding = 8) readonly buffer BeamAreas { vec4 areas[]; };
 layout(location = 0) uniform float planeDepth;     // m
@@ -10,15 +10,10 @@ layout(location = 4) uniform int testSurfaceShadow; // 0: nothing stands out of 
 in vec2 slope;
 in float startDepth;
 
-// Rasterisers place corners on a grid of 1/256 texel and cover a texel's centre with no triangle that is smaller
-// than half a cell of it, in texels; so this is no clamp of the light, it only keeps rounding from dividing by 0.
-const float smallestTwiceArea = 1.0 / 65536.0;
-
 // W/m² on the surface at `depth` m with `normal`, of which the share `lit` reaches the texel.
 vec3 beamIrradiance(float depth, vec3 normal, float lit) {
     vec4 beam = areas[gl_PrimitiveID];
-    float twiceArea = abs(beam.x + planeDepth * (beam.y + planeDepth * beam.z));
-    float density = 2.0 * beam.w / (max(twiceArea, smallestTwiceArea) * boxExtent.w * boxExtent.w);
+    float density = fluxPerTexel(beam.xyz, beam.w, planeDepth) / (boxExtent.w * boxExtent.w);
 
     // The beam's direction over its component along the axis: -n·t / |t·V| of physics is -n·along.
     vec3 along = vec3(slope, 1.0);

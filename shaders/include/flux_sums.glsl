@@ -11,3 +11,16 @@ void addFlux(int index, float amount) {
     uint carry = uint(upper) + (before + low < before ? 1u : 0u);
     if (carry > 0u) atomicAdd(sums[2 * index + 1], carry);
 }
+
+// What sum `index` holds, in steps; leaves zero for the next map.
+float takeSum(int index) {
+    float sum = float(sums[2 * index]) + 4294967296.0 * float(sums[2 * index + 1]);
+    if (sum > 0.0) sums[2 * index] = 0u, sums[2 * index + 1] = 0u;
+    return sum;
+}
+
+// The sums of a texel, one channel standing for all three, or three.
+vec3 takeSums(int texel, int channels) {
+    if (channels == 1) return vec3(takeSum(texel));
+    return vec3(takeSum(3 * texel), takeSum(3 * texel + 1), takeSum(3 * texel + 2));
+}

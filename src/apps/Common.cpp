@@ -19,6 +19,12 @@ void addCommonOptions(CLI::App& command, CommonOptions& options) {
         methods.push_back(methodName(method));
     command.add_option("--method", options.method,
                        fmt::format("how caustics are computed: {}", fmt::join(methods, ", ")));
+    std::vector<std::string_view> fills;
+    for (const Fill fill : allFills())
+        fills.push_back(fillName(fill));
+    command.add_option(
+        "--fill", options.fill,
+        fmt::format("how the level map methods come to their light: {}", fmt::join(fills, ", ")));
     command.add_option("--planes", options.planes, "reference planes of a box, before slicing drops any");
     command.add_option("--map-size", options.mapSize, "texels on the longer side of a map");
     command.add_option("--set", options.settings, "KEY=VALUE: change any key of the scene (repeatable)")
@@ -41,6 +47,7 @@ Scene loadScene(const CommonOptions& options) {
         overrides.push_back({setting.substr(0, equals), setting.substr(equals + 1)});
     }
     if (!options.method.empty()) overrides.push_back({"caustics.method", options.method});
+    if (!options.fill.empty()) overrides.push_back({"caustics.fill", options.fill});
     if (options.planes) overrides.push_back({"caustics.planes", std::to_string(*options.planes)});
     if (options.mapSize) overrides.push_back({"caustics.map_size", std::to_string(*options.mapSize)});
     return io::loadScene(options.input, overrides);

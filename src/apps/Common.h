@@ -16,6 +16,7 @@ namespace limpid::apps {
 struct CommonOptions {
     std::string input;
     std::string method;
+    std::string fill;
     std::optional<int> planes;
     std::optional<int> mapSize;
     std::vector<std::string> settings; ///< KEY=VALUE

@@ -240,19 +240,20 @@ std::string resultsCsv(const ProfileOutcome& outcome) {
 }
 
 void printResults(const ProfileOutcome& outcome, const Machine& machine) {
-    std::size_t scene = 5, receiver = 8, method = 6;
+    std::size_t scene = 5, receiver = 8, method = 6, fill = 4;
     for (const ProfileResult& r : outcome.results) {
         scene = std::max(scene, r.scene.size());
         receiver = std::max(receiver, r.receiver.size());
         method = std::max(method, r.method.size());
+        fill = std::max(fill, r.fill.size());
     }
     fmt::print("{}, {} cores; {}\n", machine.cpu, machine.cores, machine.gpu);
-    fmt::print("{:<{}} {:<{}} {:<{}} {:>6} {:>5} {:>9} {:>5} {:>11} {:>10} {:>8} {:>8} {:>8} {:>10}\n",
-               "scene", scene, "receiver", receiver, "method", method, "planes", "map", "grid", "drawn",
-               "caustics ms", "frame ms", "MiB", "nMAE", "Luv", "flux ratio");
+    fmt::print("{:<{}} {:<{}} {:<{}} {:<{}} {:>6} {:>5} {:>9} {:>5} {:>11} {:>10} {:>8} {:>8} {:>8} {:>10}\n",
+               "scene", scene, "receiver", receiver, "method", method, "fill", fill, "planes", "map", "grid",
+               "drawn", "caustics ms", "frame ms", "MiB", "nMAE", "Luv", "flux ratio");
     for (const ProfileResult& r : outcome.results) {
-        fmt::print("{:<{}} {:<{}} {:<{}} {:>6} {:>5} {:>9} {:>5} {:>11.2f} {:>10.2f} {:>8.2f}", r.scene,
-                   scene, r.receiver, receiver, r.method, method, r.planes, r.mapSize,
+        fmt::print("{:<{}} {:<{}} {:<{}} {:<{}} {:>6} {:>5} {:>9} {:>5} {:>11.2f} {:>10.2f} {:>8.2f}",
+                   r.scene, scene, r.receiver, receiver, r.method, method, r.fill, fill, r.planes, r.mapSize,
                    fmt::format("{}x{}", r.grid.x, r.grid.y), r.planesDrawn, r.caustics.median, r.wall.median,
                    double(bytesOf(r, "peak")) / (1 << 20));
         if (r.error)

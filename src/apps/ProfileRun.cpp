@@ -40,7 +40,7 @@ struct Series {
     bool sameScene(const Series& other) const { return subject == other.subject && grid == other.grid; }
     bool sameButMethod(const Series& other) const {
         return sameScene(other) && caustics.planes == other.caustics.planes &&
-               caustics.mapSize == other.caustics.mapSize && result.fill == other.result.fill;
+               caustics.mapSize == other.caustics.mapSize;
     }
 };
 
@@ -92,6 +92,22 @@ std::vector<Method> methodsOf(const io::Profile& profile, const Scene& scene) {
     return methods;
 }
 
+struct Way {
+    Method method;
+    Fill fill;
+};
+
+/// Every method with every fill that it has; the baseline with its first fill stays in front.
+std::vector<Way> waysOf(const io::Profile& profile, const Scene& scene) {
+    std::vector<Way> ways;
+    for (const Method method : methodsOf(profile, scene)) {
+        const std::vector<Fill> fills = orElse(profile.fills, scene.caustics.fill);
+        for (const Fill fill : fills)
+            if (hasFills(method) || fill == fills.front()) ways.push_back({method, fillOf(method, fill)});
+    }
+    return ways;
+}
+
 /// Methods innermost, so that a map is compared with the baseline's right after that was made; what costs
 /// most to change outermost.
 std::vector<Series> combine(const io::Profile& profile, const std::vector<Subject>& subjects) {
@@ -102,24 +118,24 @@ std::vector<Series> combine(const io::Profile& profile, const std::vector<Subjec
         for (const int mapSize : orElse(profile.mapSizes, own.mapSize))
             for (const glm::ivec2 grid : orElse(profile.grids, scene.water.grid))
                 for (const int planes : orElse(profile.planes, own.planes))
-                    for (const std::string& fill : orElse(profile.fills, std::string("drawn")))
-                        for (const Method method : methodsOf(profile, scene)) {
-                            Series& series = all.emplace_back();
-                            series.subject = subject;
-                            series.grid = grid;
-                            series.caustics = own;
-                            series.caustics.method = method;
-                            series.caustics.planes = planes;
-                            series.caustics.mapSize = mapSize;
-                            series.result.profile = profile.name;
-                            series.result.scene = subjects[subject].sceneName;
-                            series.result.receiver = subjects[subject].receiverName;
-                            series.result.method = methodName(method);
-                            series.result.fill = fill;
-                            series.result.planes = planes;
-                            series.result.mapSize = mapSize;
-                            series.result.grid = grid;
-                        }
+                    for (const auto& [method, fill] : waysOf(profile, scene)) {
+                        Series& series = all.emplace_back();
+                        series.subject = subject;
+                        series.grid = grid;
+                        series.caustics = own;
+                        series.caustics.method = method;
+                        series.caustics.fill = fill;
+                        series.caustics.planes = planes;
+                        series.caustics.mapSize = mapSize;
+                        series.result.profile = profile.name;
+                        series.result.scene = subjects[subject].sceneName;
+                        series.result.receiver = subjects[subject].receiverName;
+                        series.result.method = methodName(method);
+                        series.result.fill = fillName(fill);
+                        series.result.planes = planes;
+                        series.result.mapSize = mapSize;
+                        series.result.grid = grid;
+                    }
     }
     return all;
 }
@@ -253,10 +269,11 @@ void Run::compareMaps(Series& series) {
         series.result.standardError = io::standardError(truth);
     }
     if (!toBaseline) return;
-    if (series.caustics.method == *_profile.baseline) {
+    const bool compared = _baseline && _baseline->sameButMethod(series);
+    if (series.caustics.method == *_profile.baseline && !compared) {
         _baseline = &series;
         _baselineMaps = std::move(ours);
-    } else if (_baseline && _baseline->sameButMethod(series)) {
+    } else if (compared) {
         series.result.difference =
             io::bakeErrors(ours, _baselineMaps, series.result.method, _baseline->result.method);
     }

@@ -57,7 +57,8 @@ void requirePlanes(const CausticsSettings& settings, const gl::DeviceInfo& gpu) 
 Engine::Engine(gl::Context& context)
     : _context(context), _surface(context), _beamTracer(context), _sceneDepthPass(context),
       _surfaceShadowPass(context), _levelMapPass(context), _smartSlicing(context),
-      _tangentPlanesPass(context), _drawnPlanes(context), _exactBeams(context), _fluxAudit(context) {}
+      _tangentPlanesPass(context), _planeDepthsPass(context), _drawnPlanes(context), _planeBeams(context),
+      _exactBeams(context), _fluxAudit(context) {}
 
 void Engine::setScene(Scene scene) {
     _scene = std::move(scene);
@@ -115,6 +116,7 @@ void Engine::freeMaps() {
     _lights.clear();
     _lights.resize(_scene.lights.size());
     _drawnPlanes.free();
+    _planeBeams.free();
     _exactBeams.free();
     if (_volumetric) _volumetric->free();
     _staticReady = false;
@@ -196,10 +198,12 @@ void Engine::updateReceiver(ReceiverMaps& maps) {
     switch (_scene.caustics.method) {
     case Method::LevelMap:
         drawLevelMap(maps);
+        updatePlaneDepths(maps);
         break;
     case Method::LevelMapSmart:
         drawLevelMap(maps);
         slice(maps.level);
+        updatePlaneDepths(maps);
         break;
     case Method::ExactBeam:
         drawLevelMap(maps);
@@ -243,6 +247,12 @@ void Engine::updateTangentPlanes(ReceiverMaps& maps) {
                               sceneDepthOf(maps));
 }
 
+void Engine::updatePlaneDepths(ReceiverMaps& maps) {
+    if (_scene.caustics.fill == Fill::Drawn) return;
+    Scope scope(_timers, "plane depths");
+    _planeDepthsPass.update(maps.depths, maps.level);
+}
+
 void Engine::drawSlices(ReceiverMaps& maps) {
     Scope scope(_timers, "slice images");
     if (!_volumetric) _volumetric = std::make_unique<Volumetric>(_context);
@@ -264,7 +274,11 @@ void Engine::fill(ReceiverMaps& maps) {
     switch (_scene.caustics.method) {
     case Method::LevelMap:
     case Method::LevelMapSmart:
-        _drawnPlanes.fill(maps.caustics, maps.level, state.beams, _surface.mesh(), _scene.water);
+        if (_scene.caustics.fill == Fill::OnePass)
+            _planeBeams.fill(maps.caustics, {maps.level, maps.depths, state.beams, _surface.mesh(), _patch,
+                                             _scene.water, _scene.lights[std::size_t(maps.light)]});
+        else
+            _drawnPlanes.fill(maps.caustics, maps.level, state.beams, _surface.mesh(), _scene.water);
         break;
     case Method::ExactBeam:
         _exactBeams.fill(maps.caustics,

@@ -8,11 +8,13 @@
 #include "caustics/DrawnPlanes.h"
 #include "caustics/ExactBeams.h"
 #include "caustics/FluxAudit.h"
+#include "caustics/PlaneBeams.h"
 #include "caustics/Volumetric.h"
 #include "gl/Context.h"
 #include "gl/TimerQuery.h"
 #include "levelmap/LampShadow.h"
 #include "levelmap/LevelMap.h"
+#include "levelmap/PlaneDepths.h"
 #include "levelmap/ReceiverGeometry.h"
 #include "levelmap/SceneDepthMap.h"
 #include "levelmap/SurfaceShadow.h"
@@ -42,6 +44,7 @@ struct ReceiverMaps {
     DepthGradients gradients;
     LevelMap level;
     TangentPlanes tangents; ///< for exact beams only
+    PlaneDepths depths;     ///< for level maps in one pass only
     CausticMap caustics;
     Slices slices; ///< empty but for the volumetric method
 };
@@ -62,6 +65,8 @@ class Engine {
     /// What positions on the GPU are relative to, m: zero unless the scene is far from it.
     const glm::dvec3& origin() const { return _origin; }
     const WaterPatch& waterPatch() const { return _patch; }
+    /// The surface as of the last update.
+    const WaterMesh& waterMesh() const { return _surface.mesh(); }
 
     /// Water at `time` (s), beams, level maps, caustic maps: thesis figure 4-17.
     void updateCaustics(double time);
@@ -96,6 +101,7 @@ class Engine {
     LitReceiver litReceiver(const ReceiverMaps& maps) const;
     void drawLevelMap(ReceiverMaps& maps);
     void updateTangentPlanes(ReceiverMaps& maps);
+    void updatePlaneDepths(ReceiverMaps& maps);
     const SceneDepth* sceneDepthOf(const ReceiverMaps& maps) const;
     void slice(LevelMap& map);
     void fill(ReceiverMaps& maps);
@@ -114,7 +120,9 @@ class Engine {
     LevelMapPass _levelMapPass;
     SmartSlicing _smartSlicing;
     TangentPlanesPass _tangentPlanesPass;
+    PlaneDepthsPass _planeDepthsPass;
     DrawnPlanes _drawnPlanes;
+    PlaneBeams _planeBeams;
     ExactBeams _exactBeams;
     std::unique_ptr<Volumetric> _volumetric; ///< made when a scene asks for it
     FluxAudit _fluxAudit;

@@ -96,6 +96,15 @@ Method methodOf(TomlTable& table, std::string_view key, const std::string& name)
                                  fmt::join(known, ", "), oneLine(name)));
 }
 
+Fill fillNamed(TomlTable& table, std::string_view key, const std::string& name) {
+    if (const std::optional<Fill> fill = fillFromName(name)) return *fill;
+    std::vector<std::string_view> known;
+    for (const Fill fill : allFills())
+        known.push_back(fillName(fill));
+    throw InputError(fmt::format("{}expected fills of {}, found \"{}\"", table.where(key),
+                                 fmt::join(known, ", "), oneLine(name)));
+}
+
 /// Fit for a file's name.
 std::string nameOf(const fs::path& model) {
     std::string name = model.stem().string().substr(0, 100);
@@ -203,11 +212,8 @@ Profile loadProfile(const fs::path& file) {
     readScenes(table, folder, profile);
     for (const std::string& name : readTexts(table, "methods", "names of methods"))
         profile.methods.push_back(methodOf(table, "methods", name));
-    constexpr std::string_view fills[] = {"drawn"};
-    for (const std::string& fill : profile.fills = readTexts(table, "fills", "names of fills"))
-        if (std::find(std::begin(fills), std::end(fills), fill) == std::end(fills))
-            throw InputError(fmt::format("{}expected fills of {}, found \"{}\"", table.where("fills"),
-                                         fmt::join(fills, ", "), oneLine(fill)));
+    for (const std::string& name : readTexts(table, "fills", "names of fills"))
+        profile.fills.push_back(fillNamed(table, "fills", name));
     readWholes(table, "planes", maxPlanes, profile.planes);
     readWholes(table, "map_sizes", maxMapSize, profile.mapSizes);
     readGrids(table, profile.grids);

@@ -35,7 +35,7 @@ struct Profile {
     std::vector<std::filesystem::path> scenes;
     std::vector<ProfileReceiver> receivers;
     std::vector<Method> methods;
-    std::vector<std::string> fills;
+    std::vector<Fill> fills; ///< of methods that have them
     std::vector<int> planes, mapSizes;
     std::vector<glm::ivec2> grids;
     std::vector<Override> settings;           ///< of every scene

@@ -258,8 +258,10 @@ CausticsSettings parseCaustics(TomlTable table) {
         *methodFromName(methods[table.choice("method", methods, " (the methods there are so far)")]);
     parseWhole(table, "map_size", caustics.mapSize, 1, 16384);
     parseWhole(table, "planes", caustics.planes, 1, 4096);
-    constexpr std::string_view fills[] = {"drawn"};
-    table.choice("fill", fills, " (one-pass comes later)");
+    std::vector<std::string_view> fills{fillName(caustics.fill)};
+    for (const Fill fill : allFills())
+        if (fill != caustics.fill) fills.push_back(fillName(fill));
+    caustics.fill = *fillFromName(fills[table.choice("fill", fills)]);
     constexpr std::string_view slicings[] = {"automatic", "levels"};
     caustics.slicing = static_cast<Slicing>(table.choice("slicing", slicings));
     parseWhole(table, "depth_levels", caustics.depthLevels, 1, 4096);

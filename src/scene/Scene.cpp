@@ -3,8 +3,9 @@
 namespace limpid {
 
 namespace {
+constexpr Fill fills[] = {Fill::Drawn, Fill::OnePass};
 constexpr Method methods[] = {Method::LevelMap, Method::LevelMapSmart, Method::ExactBeam, Method::Volumetric};
-}
+} // namespace
 
 std::span<const Method> allMethods() {
     return methods;
@@ -28,6 +29,35 @@ std::optional<Method> methodFromName(std::string_view name) {
     for (const Method method : methods)
         if (methodName(method) == name) return method;
     return std::nullopt;
+}
+
+std::span<const Fill> allFills() {
+    return fills;
+}
+
+std::string_view fillName(Fill fill) {
+    switch (fill) {
+    case Fill::Drawn:
+        return "drawn";
+    case Fill::OnePass:
+        return "one-pass";
+    }
+    return "";
+}
+
+std::optional<Fill> fillFromName(std::string_view name) {
+    for (const Fill fill : fills)
+        if (fillName(fill) == name) return fill;
+    return std::nullopt;
+}
+
+bool hasFills(Method method) {
+    return method == Method::LevelMap || method == Method::LevelMapSmart;
+}
+
+Fill fillOf(Method method, Fill asked) {
+    if (hasFills(method)) return asked;
+    return method == Method::ExactBeam ? Fill::OnePass : Fill::Drawn;
 }
 
 Bounds worldBounds(const Receiver& receiver) {

@@ -94,11 +94,15 @@ struct Receiver {
 
 enum class Method { LevelMap, LevelMapSmart, ExactBeam, Volumetric };
 enum class Slicing { Automatic, Levels };
+/// How the level map methods come to their light: planes drawn one after another, or beams walked in one
+/// pass.
+enum class Fill { Drawn, OnePass };
 
 struct CausticsSettings {
     Method method = Method::ExactBeam;
-    int mapSize = 512; ///< texels on the longer side of the box, [1, 16384]
-    int planes = 50;   ///< reference planes of the whole box before slicing drops any, [1, 4096]
+    int mapSize = 512;         ///< texels on the longer side of the box, [1, 16384]
+    int planes = 50;           ///< reference planes of the whole box before slicing drops any, [1, 4096]
+    Fill fill = Fill::OnePass; ///< of the level map methods; others have their own
     Slicing slicing = Slicing::Automatic;
     int depthLevels = 64;    ///< Slicing::Levels: intervals of the depth histogram, [1, 4096]
     double threshold = 0.01; ///< Slicing::Levels: acceptance threshold ε, of the box's height, (0, 1]
@@ -120,6 +124,15 @@ std::span<const Method> allMethods();
 /// The name that the scene file and `--method` use, and back; none for a name that no method has.
 std::string_view methodName(Method method);
 std::optional<Method> methodFromName(std::string_view name);
+
+/// Likewise for `fill`.
+std::span<const Fill> allFills();
+std::string_view fillName(Fill fill);
+std::optional<Fill> fillFromName(std::string_view name);
+/// Whether a method can be filled either way.
+bool hasFills(Method method);
+/// How a method comes to its light where `asked` is.
+Fill fillOf(Method method, Fill asked);
 
 /// Bounds of the receivers in the world, m; empty (min > max) without any.
 struct Bounds {

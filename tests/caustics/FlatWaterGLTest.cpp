@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "core/Optics.h"
 #include "engine/EngineFixture.h"
@@ -26,9 +27,13 @@ TEST_P(FlatWaterGLTest, everyInnerTexelFollowsTheFormula) {
                                 optics::extinction(given.absorption, path);
     const struct {
         Method method;
+        Fill fill;
         int planes;
-    } runs[] = {{Method::LevelMapSmart, 1}, {Method::LevelMapSmart, 50}, {Method::ExactBeam, 1}};
-    for (const auto& [method, planes] : runs) {
+    } runs[] = {{Method::LevelMapSmart, Fill::Drawn, 1},
+                {Method::LevelMapSmart, Fill::Drawn, 50},
+                {Method::LevelMapSmart, Fill::OnePass, 50},
+                {Method::ExactBeam, Fill::OnePass, 1}};
+    for (const auto& [method, fill, planes] : runs) {
         Scene scene;
         scene.receivers = {scenes::floorAt(-given.depth)};
         scene.lights = {scenes::sunAt(given.degrees)};
@@ -38,6 +43,7 @@ TEST_P(FlatWaterGLTest, everyInnerTexelFollowsTheFormula) {
         scene.caustics.mapSize = 200;
         scene.caustics.planes = planes;
         scene.caustics.method = method;
+        scene.caustics.fill = fill;
         const Baked baked = bake(scene);
         const MapData& map = baked.maps.at(0);
         double worst = 0;
@@ -51,7 +57,8 @@ TEST_P(FlatWaterGLTest, everyInnerTexelFollowsTheFormula) {
                                  std::abs(double(map.irradiance[3 * i + std::size_t(c)]) / expected[c] - 1));
         }
         EXPECT_GT(inner, 10000);
-        EXPECT_LT(worst, 0.005) << methodName(method) << ", " << planes << " planes";
+        EXPECT_LT(worst, 0.005) << methodName(method) << ", " << fillName(fill) << ", " << planes
+                                << " planes";
     }
 }
 
@@ -68,10 +75,13 @@ class CommensurableGridGLTest : public EngineGLTest {};
 TEST_F(CommensurableGridGLTest, putsEachTexelIntoOneTriangle) {
     // 1024 cells on 512 texels put every texel's centre on a grid line; a sloppy rule for shared edges
     // doubles the light there.
-    for (const int run : {64, 128, 256, -64, -128, -256}) {
-        const int grid = std::abs(run);
+    const std::pair<Method, Fill> ways[] = {{Method::LevelMapSmart, Fill::Drawn},
+                                            {Method::LevelMapSmart, Fill::OnePass},
+                                            {Method::ExactBeam, Fill::OnePass}};
+    for (int run = 0; run < 9; ++run) {
+        const int grid = 64 << run % 3;
         Scene scene;
-        scene.caustics.method = run > 0 ? Method::LevelMapSmart : Method::ExactBeam;
+        std::tie(scene.caustics.method, scene.caustics.fill) = ways[run / 3];
         scene.receivers = {scenes::floorAt(-1)};
         scene.lights = {scenes::sunAt(0)};
         scene.water.center = {0, 0};

@@ -51,6 +51,7 @@ class VolumetricGLTest : public EngineGLTest {
     }
     static Baked bakeLevelMap(Scene scene) {
         scene.caustics.method = Method::LevelMap;
+        scene.caustics.fill = Fill::Drawn;
         return bake(scene);
     }
 
@@ -204,6 +205,7 @@ TEST_F(VolumetricGLTest, memoryGrowsWithEveryPlane) {
         Engine engine(context());
         Scene scene = sceneOf("sphere", 0, 17);
         scene.caustics.method = Method::LevelMap;
+        scene.caustics.fill = Fill::Drawn;
         bake(engine, scene);
         levelMap = context().ledger().total();
     }

@@ -41,7 +41,7 @@ TEST(ProfileFileTest, readsListsRangesAndSingleValues) {
     const Profile profile = load(folder, R"(
 scenes = ["calm.toml", "rough.toml"]
 methods = ["level-map", "level-map-smart"]
-fills = "drawn"
+fills = ["one-pass", "drawn"]
 planes = ["3..5", 50]
 map_sizes = 512
 grids = [[71, 71], [256, 128]]
@@ -55,7 +55,7 @@ baseline = "level-map"
 picture = [64, 32])");
     EXPECT_EQ(profile.scenes.size(), 2u);
     EXPECT_THAT(profile.methods, ElementsAre(Method::LevelMap, Method::LevelMapSmart));
-    EXPECT_THAT(profile.fills, ElementsAre("drawn"));
+    EXPECT_THAT(profile.fills, ElementsAre(Fill::OnePass, Fill::Drawn));
     EXPECT_THAT(profile.planes, ElementsAre(3, 4, 5, 50));
     EXPECT_THAT(profile.mapSizes, ElementsAre(512));
     EXPECT_THAT(profile.grids, ElementsAre(glm::ivec2(71, 71), glm::ivec2(256, 128)));
@@ -79,7 +79,7 @@ TEST(ProfileFileTest, namesPlaceExpectedAndFound) {
     const std::pair<std::string, std::string> cases[] = {
         {"frames = 3", "daily.toml:1:1: scene: expected the path of a scene or model, found nothing"},
         {scene + "methods = [\"magic\"]", "daily.toml:2:11: methods: expected methods of level-map, "},
-        {scene + "fills = [\"best\"]", "daily.toml:2:9: fills: expected fills of drawn, found \"best\""},
+        {scene + "fills = [\"best\"]", "daily.toml:2:9: fills: expected fills of drawn, one-pass, found \"best\""},
         {scene + "planes = [3, 0]",
          "daily.toml:2:10: planes: expected whole numbers from 1 to 4096, or ranges"},
         {scene + "planes = \"9..3\"", "found \"9..3\""},

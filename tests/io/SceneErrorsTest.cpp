@@ -139,8 +139,8 @@ const TextCase settings[] = {
     {"[caustics]\nmethod = \"photon-splat\"",
      "4:10: caustics.method: expected \"exact-beam\", \"level-map\", \"level-map-smart\" or "
      "\"volumetric\" (the methods there are so far), found \"photon-splat\""},
-    {"[caustics]\nfill = \"one-pass\"",
-     "4:8: caustics.fill: expected \"drawn\" (one-pass comes later), found \"one-pass\""},
+    {"[caustics]\nfill = \"painted\"",
+     "4:8: caustics.fill: expected \"one-pass\" or \"drawn\", found \"painted\""},
     {"[caustics]\nmap_size = 16385",
      "4:12: caustics.map_size: expected a whole number from 1 to 16384, found 16385"},
     {"[caustics]\nplanes = 0", "4:10: caustics.planes: expected a whole number from 1 to 4096, found 0"},

@@ -164,6 +164,7 @@ TEST(SceneFileTest, ReadsLightsSkyAndSettings) {
     EXPECT_EQ(scene.caustics.method, Method::LevelMap);
     EXPECT_EQ(scene.caustics.mapSize, 1024);
     EXPECT_EQ(scene.caustics.planes, 7);
+    EXPECT_EQ(scene.caustics.fill, Fill::Drawn);
     EXPECT_EQ(scene.caustics.slicing, Slicing::Levels);
     EXPECT_EQ(scene.caustics.depthLevels, 10);
     EXPECT_EQ(scene.caustics.threshold, 0.5);

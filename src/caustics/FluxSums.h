@@ -1,0 +1,31 @@
+#pragma once
+#include <cstdint>
+
+#include "caustics/CausticMap.h"
+#include "gl/Context.h"
+#include "gl/Handles.h"
+
+namespace limpid {
+
+/// Sums of flux in integers, 64 bits a texel and channel (shaders/include/flux_sums.glsl): scratch that is
+/// zero between maps.
+class FluxSums {
+  public:
+    explicit FluxSums(gl::Context& context) : _context(context) {}
+
+    /// Room for `count` sums, bound where compute shaders read them.
+    void bind(std::int64_t count);
+    /// Gives back its memory until the next map.
+    void free() { _sums = {}; }
+
+  private:
+    gl::Context& _context;
+    gl::Buffer _sums;
+};
+
+/// Whether three numbers, by colour channel, are one.
+inline bool isGrey(const glm::dvec3& v) {
+    return v.x == v.y && v.y == v.z;
+}
+
+} // namespace limpid

@@ -1,0 +1,122 @@
+#include "caustics/PlaneBeams.h"
+
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+namespace limpid {
+
+namespace {
+
+enum Uniform { Quads, StepsPerFlux, DepthLimits, ExtinctionPerMetre, TestSurfaceShadow };
+enum ResolveUniform { WattsPerStep, Channels };
+constexpr int groupSize = 64, groupSide = 8; // a group has 8 × 8 quads
+constexpr glm::ivec2 resolveGroupSize{8, 8};
+constexpr glm::vec2 allDepths{-1e29f, 1e29f};
+
+constexpr int largeGroups = 512;
+
+/// More than all flux that may enter: of a directional light, the patch seen along it, m², for waves of
+/// slopes up to 3; of a lamp, all directions, sr.
+double mostFlux(const Light& light, const WaterPatch& patch) {
+    return light.type == LightType::Directional ? 4 * patch.size.x * patch.size.y : 4 * std::numbers::pi;
+}
+
+/// What one unit of a beam's flux is spread over, in its unit: the area of a texel, m², or the solid angle
+/// that it has about at the lamp, sr.
+double unfocusedFlux(const LevelMap& map, const Light& light) {
+    const double area = map.frame.texelArea();
+    if (light.type == LightType::Directional) return area;
+    const glm::dvec3 away = map.frame.box.center() - light.position;
+    return area / std::max(glm::dot(away, away), 1e-12);
+}
+
+/// Steps of the sums for a unit of flux: 2²² for an unfocused texel, so that rounding is below a float's, but
+/// no more than keeps 64 bits from wrapping if all the light met in one texel: a beam gives its flux 2¹⁷
+/// times to a texel that it covers as a sliver (smallestTwiceArea), and its way is up to 50 times as long as
+/// its depth (rayFootprint).
+double stepsOf(const PlaneBeams::Inputs& inputs) {
+    return std::min(std::exp2(22) / unfocusedFlux(inputs.map, inputs.light),
+                    std::exp2(64 - 17 - 6) / mostFlux(inputs.light, inputs.patch));
+}
+
+} // namespace
+
+PlaneBeams::PlaneBeams(gl::Context& context, int tiles)
+    : _context(context), _tiles(tiles), _sums(context), _resolve({"caustics/resolve_planes.comp"}) {}
+
+const gl::Program& PlaneBeams::program(const Variant& variant) {
+    std::optional<gl::Program>& program =
+        _programs[std::size_t(variant.paths) + 2 * std::size_t(variant.coloured) +
+                  4 * std::size_t(variant.large)];
+    if (program) return *program;
+    std::vector<std::string> defines;
+    if (variant.paths) defines.emplace_back("PATHS");
+    if (variant.coloured) defines.emplace_back("COLOURED");
+    if (variant.large) defines.emplace_back("LARGE");
+    return program.emplace(std::initializer_list<const char*>{"caustics/plane_beams.comp"}, defines);
+}
+
+void PlaneBeams::bind(const Inputs& inputs) {
+    if (!_largeBeams.id())
+        _largeBeams = gl::Buffer(_context.ledger(), "large beams", 16 * (std::int64_t(_tiles) + 1));
+    inputs.beams.frame.bindUniform(0);
+    inputs.map.box.bindUniform(1);
+    inputs.depths.pyramid.bind(0);
+    inputs.map.normal.bind(1);
+    inputs.map.position.bind(2);
+    inputs.beams.origins.bindStorage(3);
+    inputs.beams.directions.bindStorage(4);
+    inputs.beams.flux.bindStorage(5);
+    _largeBeams.bindStorage(9);
+    if (inputs.beams.surfaceShadow) inputs.beams.surfaceShadow->bind(surfaceShadowUnit);
+}
+
+void PlaneBeams::deposit(const Inputs& inputs, bool coloured, double stepsPerFlux, const glm::vec2& depths) {
+    const glm::dvec3 extinction = inputs.water.absorption + inputs.water.scattering;
+    const bool paths = extinction != glm::dvec3(0) || inputs.beams.surfaceShadow;
+    constexpr std::int32_t none[4] = {};
+    _largeBeams.write(0, sizeof(none), none);
+    for (const bool large : {false, true}) {
+        const gl::Program& program = this->program({paths, coloured, large});
+        program.set(Quads, inputs.surface.quads);
+        program.set(StepsPerFlux, float(stepsPerFlux));
+        program.set(DepthLimits, depths);
+        if (paths) {
+            program.set(ExtinctionPerMetre, glm::vec3(extinction));
+            program.set(TestSurfaceShadow, inputs.beams.surfaceShadow ? 1 : 0);
+        }
+        const glm::ivec2 groups = (inputs.surface.quads + groupSide - 1) / groupSide;
+        program.dispatch(large ? largeGroups * groupSize : std::int64_t(groups.x) * groups.y * groupSize,
+                         groupSize);
+        glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    }
+}
+
+void PlaneBeams::fill(CausticMap& caustics, const Inputs& inputs, Dispatch dispatch) {
+    const glm::ivec2 size = inputs.map.frame.size;
+    caustics.resize(_context, size);
+    const bool coloured = !isGrey(inputs.water.absorption + inputs.water.scattering);
+    const int channels = coloured ? 3 : 1;
+    const double stepsPerFlux = stepsOf(inputs);
+    _sums.bind(std::int64_t(size.x) * size.y * channels);
+    if (inputs.beams.strength != glm::dvec3(0)) {
+        bind(inputs);
+        if (dispatch == Dispatch::Once)
+            deposit(inputs, coloured, stepsPerFlux, allDepths);
+        else
+            for (const ReferencePlane& plane : inputs.map.planes)
+                deposit(inputs, coloured, stepsPerFlux, glm::vec2(float(plane.depth)));
+    }
+    inputs.map.box.bindUniform(1);
+    inputs.map.diffuse.bind(0);
+    caustics.irradiance.bindImage(0, GL_WRITE_ONLY);
+    _resolve.set(WattsPerStep,
+                 glm::vec3(inputs.beams.strength / (stepsPerFlux * inputs.map.frame.texelArea())));
+    _resolve.set(Channels, channels);
+    _resolve.dispatch2D(size, resolveGroupSize);
+    glMemoryBarrier(GL_ALL_BARRIER_BITS);
+}
+
+} // namespace limpid

@@ -1,0 +1,63 @@
+#pragma once
+#include <array>
+#include <optional>
+
+#include "caustics/CausticMap.h"
+#include "caustics/FluxSums.h"
+#include "gl/Program.h"
+#include "levelmap/LevelMap.h"
+#include "levelmap/PlaneDepths.h"
+#include "water/Beams.h"
+#include "water/FlatWater.h"
+
+namespace limpid {
+
+/// The thesis's method (figure 4-15) in one compute pass: each beam finds the planes that it can meet, walks
+/// the texels there, and gives its irradiance to those whose centre it covers on the texel's own plane.
+/// Centres are tested as rasterisers do, so the result is that of DrawnPlanes but for texels within 1/256
+/// texel of a beam's edge. Summed in integers: every run gives the same bits. Both `level-map` and
+/// `level-map-smart`: planes without texels take no time.
+class PlaneBeams {
+  public:
+    /// `tiles`: room for parts of large beams that wait for their pass, 16 bytes each; what finds none is
+    /// walked by one invocation.
+    explicit PlaneBeams(gl::Context& context, int tiles = 65536);
+
+    struct Inputs {
+        const LevelMap& map;
+        const PlaneDepths& depths; ///< of `map`
+        const Beams& beams;        ///< of the level map's light
+        const WaterMesh& surface;
+        const WaterPatch& patch; ///< that the surface covers
+        const Water& water;
+        const Light& light;
+    };
+    /// How the pass is run. One dispatch for each plane, as the thesis has it, gives the same bits as a
+    /// single one.
+    enum class Dispatch { Once, PlaneByPlane };
+
+    /// Overwrites `caustics`.
+    void fill(CausticMap& caustics, const Inputs& inputs, Dispatch dispatch = Dispatch::Once);
+    /// Gives back its memory until the next fill.
+    void free() {
+        _sums.free();
+        _largeBeams = {};
+    }
+
+  private:
+    /// What plane_beams.comp is compiled for.
+    struct Variant {
+        bool paths, coloured, large;
+    };
+    const gl::Program& program(const Variant& variant);
+    void bind(const Inputs& inputs);
+    void deposit(const Inputs& inputs, bool coloured, double stepsPerFlux, const glm::vec2& depths);
+    gl::Context& _context;
+    int _tiles;
+    FluxSums _sums;
+    std::array<std::optional<gl::Program>, 8> _programs; ///< compiled when first needed
+    gl::Program _resolve;
+    gl::Buffer _largeBeams; ///< as shaders/include/large_beams.glsl has it
+};
+
+} // namespace limpid
