@@ -103,6 +103,8 @@ void printWork(Engine& engine, gl::Context& context) {
         fmt::print("  {} in {}: {} of {} planes\n", engine.scene().receivers[std::size_t(maps.receiver)].name,
                    engine.scene().lights[std::size_t(maps.light)].name, maps.level.planes.size(),
                    maps.level.requestedPlanes);
+    for (const auto& [kind, count] : engine.skipped().byKind())
+        fmt::print("  {:<22} {:6} skipped\n", kind, count);
     for (const auto& [kind, bytes] : context.ledger().byKind())
         fmt::print("  {:<18} {:10.2f} MiB\n", kind, double(bytes) / (1 << 20));
     fmt::print("  {:<18} {:10.2f} MiB, at most {:.2f} MiB\n", "total",

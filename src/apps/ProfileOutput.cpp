@@ -66,7 +66,9 @@ Json resultJson(const ProfileResult& result) {
                  {"gpu_bytes", bytesJson(result)},
                  {"planes_drawn", result.planesDrawn},
                  {"beams_drawn", result.beamsDrawn},
-                 {"skipped", Json(result.skipped)}};
+                 {"skipped", Json::object()}};
+    for (const auto& [kind, count] : result.skipped)
+        json["skipped"][kind] = count;
     json["maps"] = Json::array();
     for (const MapWork& map : result.maps)
         json["maps"].push_back(mapJson(map));

@@ -243,6 +243,7 @@ void Run::describeWork(Series& series, std::int64_t peak) {
         result.bytes.emplace_back(kind, bytes);
     result.bytes.emplace_back("total", _context.ledger().total());
     result.bytes.emplace_back("peak", peak);
+    result.skipped = _engine.skipped().byKind();
     const Scene& scene = _engine.scene();
     for (const ReceiverMaps& maps : _engine.maps()) {
         const int drawn = drawsPlanes(series.caustics.method) ? int(maps.level.planes.size()) : 0;
@@ -250,8 +251,6 @@ void Run::describeWork(Series& series, std::int64_t peak) {
                                scene.lights[std::size_t(maps.light)].name, maps.level.facing,
                                maps.level.frame.size, drawn});
         result.planesDrawn += drawn;
-        if (drawsPlanes(series.caustics.method))
-            result.skipped["planes"] += maps.level.requestedPlanes - drawn;
     }
     for (int light = 0; light < int(scene.lights.size()); ++light)
         result.beamsDrawn += _engine.light(light).beams.triangleCount;

@@ -30,7 +30,7 @@ struct ProfileResult {
     std::vector<std::pair<std::string, std::int64_t>> bytes; ///< by kind, total and peak last
     int planesDrawn = 0;                                     ///< of all maps
     std::int64_t beamsDrawn = 0;
-    std::map<std::string, std::int64_t> skipped; ///< by what was left out
+    std::vector<std::pair<const char*, std::int64_t>> skipped; ///< by what was left out of the frame
     std::vector<MapWork> maps;
     std::optional<ImageErrors> error;      ///< against the ground truth
     std::optional<double> standardError;   ///< nMAE that chance in the ground truth alone may make

@@ -15,6 +15,15 @@ struct CausticMap {
         if (irradiance.id() && irradiance.size() == size) return;
         irradiance = gl::Texture(context.ledger(), "caustic map", GL_RGBA32F, size);
     }
+    /// No light.
+    void clear(gl::Context& context, glm::ivec2 size) {
+        resize(context, size);
+        glClearTexImage(irradiance.id(), 0, GL_RGBA, GL_FLOAT, nullptr);
+    }
 };
+
+/// Which colours a method in integers sums: those that may differ (in grey water one stands for all), or each
+/// by itself. The maps are the same.
+enum class Colours { AsNeeded, All };
 
 } // namespace limpid

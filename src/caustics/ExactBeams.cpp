@@ -37,10 +37,6 @@ struct ListWork {
     std::uint32_t count = 0;
 };
 
-bool isGrey(const glm::dvec3& v) {
-    return v.x == v.y && v.y == v.z;
-}
-
 /// What one unit of a beam's flux is spread over, in its unit: the area of a texel, m², or the solid angle
 /// that it has about at the lamp, sr.
 double unfocusedFlux(const LevelMap& map, const Light& light) {
@@ -148,7 +144,8 @@ void ExactBeams::deposit(const Inputs& inputs, bool coloured, double stepsPerFlu
 void ExactBeams::fill(CausticMap& caustics, const Inputs& inputs) {
     caustics.resize(_context, inputs.map.frame.size);
     const glm::ivec2 size = inputs.map.frame.size;
-    const bool coloured = !isGrey(inputs.water.absorption + inputs.water.scattering);
+    const bool coloured =
+        inputs.colours == Colours::All || !isGrey(inputs.water.absorption + inputs.water.scattering);
     const int channels = coloured ? 3 : 1;
     reserveSums(std::int64_t(size.x) * size.y * channels);
     const double perStep = unfocusedFlux(inputs.map, inputs.light) / stepsPerTexel;

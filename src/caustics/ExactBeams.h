@@ -4,6 +4,7 @@
 
 #include "caustics/BeamFootprints.h"
 #include "caustics/CausticMap.h"
+#include "caustics/FluxSums.h"
 #include "gl/Program.h"
 #include "levelmap/LevelMap.h"
 #include "levelmap/TangentPlanes.h"
@@ -27,6 +28,7 @@ class ExactBeams {
         const WaterMesh& surface;
         const Water& water;
         const Light& light;
+        Colours colours = Colours::AsNeeded;
     };
     /// Overwrites `caustics`.
     void fill(CausticMap& caustics, const Inputs& inputs);

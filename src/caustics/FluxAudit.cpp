@@ -60,6 +60,7 @@ FluxBalance FluxAudit::count(const Beams& beams, const WaterMesh& surface, const
                              const SceneDepth& sceneDepth, std::span<const Placed> maps, double farthest,
                              Shade shade) {
     FluxBalance balance;
+    if (beams.strength == glm::dvec3(0)) return balance;
     const auto flux = beams.flux.read<float>(std::size_t(beams.triangleCount));
     const auto lit = beams.lit.read<float>(std::size_t(beams.triangleCount));
     for (std::size_t i = 0; i < flux.size(); ++i)

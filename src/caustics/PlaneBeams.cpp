@@ -97,7 +97,8 @@ void PlaneBeams::deposit(const Inputs& inputs, bool coloured, double stepsPerFlu
 void PlaneBeams::fill(CausticMap& caustics, const Inputs& inputs, Dispatch dispatch) {
     const glm::ivec2 size = inputs.map.frame.size;
     caustics.resize(_context, size);
-    const bool coloured = !isGrey(inputs.water.absorption + inputs.water.scattering);
+    const bool coloured =
+        inputs.colours == Colours::All || !isGrey(inputs.water.absorption + inputs.water.scattering);
     const int channels = coloured ? 3 : 1;
     const double stepsPerFlux = stepsOf(inputs);
     _sums.bind(std::int64_t(size.x) * size.y * channels);

@@ -31,6 +31,7 @@ class PlaneBeams {
         const WaterPatch& patch; ///< that the surface covers
         const Water& water;
         const Light& light;
+        Colours colours = Colours::AsNeeded;
     };
     /// How the pass is run. One dispatch for each plane, as the thesis has it, gives the same bits as a
     /// single one.

@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include <fmt/format.h>
-
-#include "core/Error.h"
 #include "engine/Framing.h"
+#include "engine/Limits.h"
 #include "levelmap/MapPlan.h"
 #include "water/FlatWater.h"
 #include "water/WaveTerms.h"
@@ -36,22 +34,6 @@ glm::ivec2 sceneDepthSize(const glm::vec4& rect, int mapSize) {
     return glm::max(glm::ivec2(glm::ceil(glm::vec2(rect.z, rect.w) / most * float(longer))), 1);
 }
 
-/// The largest buffer holds 16 bytes a triangle.
-void requireGrid(glm::ivec2 grid, const gl::DeviceInfo& gpu) {
-    const std::int64_t triangles = 2 * std::int64_t(grid.x) * grid.y, most = gpu.maxStorageBlockBytes / 16;
-    if (triangles > most)
-        throw InputError(
-            fmt::format("water.grid: expected at most {} quads in all with this GPU, found {} x {}", most / 2,
-                        grid.x, grid.y));
-}
-
-void requirePlanes(const CausticsSettings& settings, const gl::DeviceInfo& gpu) {
-    if (settings.method == Method::Volumetric && settings.planes > gpu.maxTextureLayers)
-        throw InputError(
-            fmt::format("caustics.planes: expected at most {} with this GPU and method volumetric, found {}",
-                        gpu.maxTextureLayers, settings.planes));
-}
-
 } // namespace
 
 Engine::Engine(gl::Context& context)
@@ -71,7 +53,10 @@ void Engine::setScene(Scene scene) {
     _submerged.clear();
     _dry.clear();
     _sides = {};
+    _bounds.clear();
     for (const Receiver& receiver : _scene.receivers) {
+        const Bounds bounds = worldBounds(receiver);
+        _bounds.push_back({bounds.min - _origin, bounds.max - _origin});
         _receivers.emplace_back(_context, receiver, _origin);
         _submerged.push_back(pointsOfSide(receiver, _scene.water.level, Side::Below));
         for (const glm::dvec3& p : _submerged.back())
@@ -119,11 +104,19 @@ void Engine::freeMaps() {
     _planeBeams.free();
     _exactBeams.free();
     if (_volumetric) _volumetric->free();
-    _staticReady = false;
+    _lightsReady = false;
     _causticsTime.reset();
 }
 
 void Engine::updateCaustics(double time) {
+    updateSurface(time);
+    for (ReceiverMaps& maps : _maps)
+        updateMaps(maps);
+}
+
+/// Water, and what becomes of every light in it.
+void Engine::updateSurface(double time) {
+    _skipped = {};
     const bool rests = _reuse && _causticsTime && (*_causticsTime == time || !moves(_scene.water));
     if (rests) return;
     _causticsTime = time;
@@ -131,23 +124,43 @@ void Engine::updateCaustics(double time) {
         Scope scope(_timers, "water");
         _surface.update(_scene.water, _patch, _origin, time);
     }
-    if (!_reuse || !_staticReady) updateStatic();
-    for (LightState& state : _lights) {
+    for (int light = 0; light < int(_lights.size()) && !(_reuse && _lightsReady); ++light)
+        updateLight(light);
+    _lightsReady = true;
+    traceBeams();
+    for (ReceiverMaps& maps : _maps)
+        maps.filled = false;
+}
+
+/// Whether nothing comes of a light.
+bool Engine::isDark(int light) const {
+    return _lights[std::size_t(light)].beams.strength == glm::dvec3(0);
+}
+
+void Engine::traceBeams() {
+    for (std::size_t i = 0; i < _lights.size(); ++i) {
+        LightState& state = _lights[i];
+        if (_skipping && isDark(int(i))) {
+            ++_skipped.lights;
+            continue;
+        }
         Scope scope(_timers, "beams");
         _beamTracer.trace(state.beams, _surface.mesh(),
                           state.surfaceShadow.id() ? &state.surfaceShadow : nullptr);
     }
-    for (ReceiverMaps& maps : _maps)
-        fill(maps);
 }
 
-/// What does not depend on the water's surface.
-void Engine::updateStatic() {
-    for (int light = 0; light < int(_lights.size()); ++light)
-        updateLight(light);
-    for (ReceiverMaps& maps : _maps)
+void Engine::updateMaps(ReceiverMaps& maps) {
+    if (_reuse && maps.ready)
+        ++_skipped.levelMaps;
+    else
         updateReceiver(maps);
-    _staticReady = true;
+    maps.ready = true;
+    if (_reuse && maps.filled)
+        ++_skipped.causticMaps;
+    else
+        fill(maps);
+    maps.filled = true;
 }
 
 bool Engine::needsSceneDepth(int index) const {
@@ -242,6 +255,10 @@ void Engine::drawLevelMap(ReceiverMaps& maps) {
 }
 
 void Engine::updateTangentPlanes(ReceiverMaps& maps) {
+    if (_skipping && isDark(maps.light)) {
+        ++_skipped.unreadPasses;
+        return;
+    }
     Scope scope(_timers, "tangent planes");
     _tangentPlanesPass.update(maps.tangents, maps.level, _lights[std::size_t(maps.light)].beams,
                               sceneDepthOf(maps));
@@ -249,6 +266,10 @@ void Engine::updateTangentPlanes(ReceiverMaps& maps) {
 
 void Engine::updatePlaneDepths(ReceiverMaps& maps) {
     if (_scene.caustics.fill == Fill::Drawn) return;
+    if (_skipping && isDark(maps.light)) {
+        ++_skipped.unreadPasses;
+        return;
+    }
     Scope scope(_timers, "plane depths");
     _planeDepthsPass.update(maps.depths, maps.level);
 }
@@ -271,6 +292,13 @@ void Engine::slice(LevelMap& map) {
 void Engine::fill(ReceiverMaps& maps) {
     const LightState& state = _lights[std::size_t(maps.light)];
     Scope scope(_timers, "caustic map");
+    if (_skipping && isDark(maps.light) && _scene.caustics.method != Method::Volumetric) {
+        maps.caustics.clear(_context, maps.level.frame.size);
+        ++_skipped.unlitMaps;
+        return;
+    }
+    countSkipped(maps);
+    const Colours colours = _skipping ? Colours::AsNeeded : Colours::All;
     switch (_scene.caustics.method) {
     case Method::LevelMap:
     case Method::LevelMapSmart:
@@ -283,13 +311,24 @@ void Engine::fill(ReceiverMaps& maps) {
     case Method::ExactBeam:
         _exactBeams.fill(maps.caustics,
                          {maps.level, maps.receiver, maps.tangents, sceneDepthOf(maps), state.beams,
-                          _surface.mesh(), _scene.water, _scene.lights[std::size_t(maps.light)]});
+                          _surface.mesh(), _scene.water, _scene.lights[std::size_t(maps.light)], colours});
         break;
     case Method::Volumetric:
         _volumetric->drawCaustics(maps.slices, maps.level, state.beams, _surface.mesh(), _scene.water);
         _volumetric->combine(maps.caustics, maps.level, maps.slices);
         break;
     }
+}
+
+/// What filling a map leaves out by its settings.
+void Engine::countSkipped(const ReceiverMaps& maps) {
+    if (!_skipping) return;
+    const CausticsSettings& settings = _scene.caustics;
+    const int all = maps.level.frame.flat ? 1 : maps.level.requestedPlanes;
+    if (settings.method == Method::LevelMapSmart && settings.slicing == Slicing::Automatic)
+        _skipped.planes += all - int(maps.level.planes.size());
+    const glm::dvec3 extinction = _scene.water.absorption + _scene.water.scattering;
+    if (fillOf(settings.method, settings.fill) == Fill::OnePass && isGrey(extinction)) _skipped.channels += 2;
 }
 
 FluxBalance Engine::auditFlux(int index) {
@@ -302,37 +341,6 @@ FluxBalance Engine::auditFlux(int index) {
     return _fluxAudit.count(
         state.beams, _surface.mesh(), _scene.water, state.sceneDepth, levels, state.farthest,
         _scene.caustics.method == Method::ExactBeam ? FluxAudit::Shade::Own : FluxAudit::Shade::Mean);
-}
-
-/// A lamp under water makes no caustic, so only pictures need to know what it sees; that rests.
-void Engine::drawLampShadows() {
-    for (std::size_t i = 0; i < _lights.size(); ++i) {
-        LightState& state = _lights[i];
-        if ((_reuse && state.lampShadow.id()) || !isSubmerged(_scene.lights[i], _scene.water)) continue;
-        if (!_lampShadowPass) _lampShadowPass = std::make_unique<LampShadowPass>(_context);
-        Scope scope(_timers, "lamp shadow");
-        _lampShadowPass->draw(state.lampShadow, state.beams, _receivers);
-        state.beams.lampShadow = &state.lampShadow;
-    }
-}
-
-Picture Engine::render(double time, glm::ivec2 size) {
-    updateCaustics(time);
-    return draw(size);
-}
-
-Picture Engine::draw(glm::ivec2 size) {
-    drawLampShadows();
-    if (!_picturePass) _picturePass = std::make_unique<PicturePass>(_context);
-    Scope scope(_timers, "picture");
-    std::vector<Lit> lit;
-    for (const ReceiverMaps& maps : _maps)
-        lit.push_back({maps.receiver, &maps.level, &maps.caustics});
-    std::vector<const Beams*> lights;
-    for (const LightState& state : _lights)
-        lights.push_back(&state.beams);
-    return _picturePass->draw({_scene, _origin, _patch, _surface.mesh(), _sides, _receivers, lit, lights},
-                              size);
 }
 
 } // namespace limpid

@@ -10,6 +10,7 @@
 #include "caustics/FluxAudit.h"
 #include "caustics/PlaneBeams.h"
 #include "caustics/Volumetric.h"
+#include "engine/Skipped.h"
 #include "gl/Context.h"
 #include "gl/TimerQuery.h"
 #include "levelmap/LampShadow.h"
@@ -47,6 +48,9 @@ struct ReceiverMaps {
     PlaneDepths depths;     ///< for level maps in one pass only
     CausticMap caustics;
     Slices slices; ///< empty but for the volumetric method
+
+    bool ready = false;  ///< whether all but the light is there
+    bool filled = false; ///< with the light of the last update
 };
 
 /// The order of a frame. Needs a current context, which it does not own; holds everything on the GPU that one
@@ -70,6 +74,8 @@ class Engine {
 
     /// Water at `time` (s), beams, level maps, caustic maps: thesis figure 4-17.
     void updateCaustics(double time);
+    /// What the last update left out, and what was drawn since.
+    const Skipped& skipped() const { return _skipped; }
     /// One entry for each light and each receiver that reaches into the water, lights outermost; after it,
     /// one for each of its further maps.
     const std::vector<ReceiverMaps>& maps() const { return _maps; }
@@ -82,11 +88,10 @@ class Engine {
     static int largestPicture(const gl::Context& context) { return PicturePass::largestSide(context); }
     /// The scene as its camera sees it, lit by the caustics of the last update. Waits for the GPU.
     Picture draw(glm::ivec2 size);
-    /// updateCaustics, then draw.
+    /// updateCaustics for those maps that the picture can show, then draw.
     Picture render(double time, glm::ivec2 size);
 
-    /// Off: all work is done that skipping would save (here: planes that no texel belongs to). The result is
-    /// the same.
+    /// Off: all work is done that skipping would save (engine/Skipped.h). The result is the same.
     void setSkipping(bool on) { _skipping = _reuse = on; }
     /// Off: every frame is made from nothing, as if all had moved.
     void setReuse(bool on) { _reuse = on; }
@@ -94,9 +99,14 @@ class Engine {
     gl::PassTimers& timers() { return _timers; }
 
   private:
+    void updateSurface(double time);
     void updateLight(int light);
-    void updateStatic();
+    void traceBeams();
+    void updateMaps(ReceiverMaps& maps);
     void updateReceiver(ReceiverMaps& maps);
+    bool isDark(int light) const;
+    void countSkipped(const ReceiverMaps& maps);
+    std::vector<bool> shownMaps(glm::ivec2 size);
     void prepareMaps(ReceiverMaps& maps);
     LitReceiver litReceiver(const ReceiverMaps& maps) const;
     void drawLevelMap(ReceiverMaps& maps);
@@ -130,12 +140,14 @@ class Engine {
     std::unique_ptr<LampShadowPass> _lampShadowPass; ///< made for the first lamp under water in one
 
     bool _skipping = true, _reuse = true;
-    bool _staticReady = false;
+    bool _lightsReady = false;
+    Skipped _skipped;
     std::optional<double> _causticsTime;
     Scene _scene;
     glm::dvec3 _origin{0};
     WaterPatch _patch;
     std::vector<ReceiverGeometry> _receivers;
+    std::vector<Bounds> _bounds;                     ///< of each receiver, m from the scene's origin
     std::vector<std::vector<glm::dvec3>> _submerged; ///< of each receiver, in the world
     std::vector<glm::dvec3> _dry;                    ///< what stands out of the water, in the world
     SideBounds _sides;                               ///< of both

@@ -1,0 +1,66 @@
+#include "engine/Engine.h"
+#include "view/Visibility.h"
+#include "water/FlatWater.h"
+
+/// The half of the engine that makes pictures.
+namespace limpid {
+
+using Scope = gl::PassTimers::Scope;
+
+/// A lamp under water makes no caustic, so only pictures need to know what it sees; that rests.
+void Engine::drawLampShadows() {
+    for (std::size_t i = 0; i < _lights.size(); ++i) {
+        LightState& state = _lights[i];
+        if ((_reuse && state.lampShadow.id()) || !isSubmerged(_scene.lights[i], _scene.water)) continue;
+        if (!_lampShadowPass) _lampShadowPass = std::make_unique<LampShadowPass>(_context);
+        Scope scope(_timers, "lamp shadow");
+        _lampShadowPass->draw(state.lampShadow, state.beams, _receivers);
+        state.beams.lampShadow = &state.lampShadow;
+    }
+}
+
+/// Which maps a picture of `size` needs: those whose receiver it may show in a light that gives any.
+std::vector<bool> Engine::shownMaps(glm::ivec2 size) {
+    const ViewFrameData frame = viewFrame(_scene, _origin, _patch, _surface.mesh(), _sides, size);
+    std::vector<bool> shown;
+    for (const ReceiverMaps& maps : _maps)
+        shown.push_back(!_skipping ||
+                        (!isDark(maps.light) && mayShowCaustics(frame, _bounds[std::size_t(maps.receiver)])));
+    return shown;
+}
+
+Picture Engine::render(double time, glm::ivec2 size) {
+    updateSurface(time);
+    const std::vector<bool> shown = shownMaps(size);
+    for (std::size_t i = 0; i < _maps.size(); ++i) {
+        if (shown[i])
+            updateMaps(_maps[i]);
+        else
+            ++(isDark(_maps[i].light) ? _skipped.unlitMaps : _skipped.outOfView);
+    }
+    return draw(size);
+}
+
+Picture Engine::draw(glm::ivec2 size) {
+    const std::vector<bool> shown = shownMaps(size);
+    std::vector<Lit> lit;
+    for (std::size_t i = 0; i < _maps.size(); ++i) {
+        ReceiverMaps& maps = _maps[i];
+        if (!shown[i]) {
+            ++_skipped.unreadPasses; // that makes it ready to be projected
+            continue;
+        }
+        if (!maps.filled) updateMaps(maps);
+        lit.push_back({maps.receiver, &maps.level, &maps.caustics});
+    }
+    drawLampShadows();
+    if (!_picturePass) _picturePass = std::make_unique<PicturePass>(_context);
+    Scope scope(_timers, "picture");
+    std::vector<const Beams*> lights;
+    for (const LightState& state : _lights)
+        lights.push_back(&state.beams);
+    return _picturePass->draw({_scene, _origin, _patch, _surface.mesh(), _sides, _receivers, lit, lights},
+                              size);
+}
+
+} // namespace limpid
