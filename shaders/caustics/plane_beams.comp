@@ -1,9 +1,10 @@
 // The level map in one pass (thesis 4.4 and 4.5 with nothing drawn): each beam finds the planes that it can meet, walks
 // the texels there, and gives its irradiance to those whose centre it covers on the texel's own plane.
-// One invocation for the two beams of a quad of the water's grid, a work group for 8 × 8 quads. In: beams, planes of the
+// One invocation for the two beams of a quad of the water's grid, a work group for a tile of quads. In: beams, planes of the
 // texels (levelmap/PlaneDepths.h), normal map; with PATHS, for what happens to light on its way, position map and
 // surface shadow. Out: flux sums, one channel or three (COLOURED), of irradiance times the area of a texel, as if the
 // whole mean light reached it. LARGE: the tiles of quads that touch many texels, which the pass over all quads left.
+#include "include/beam_tiles.glsl"
 #include "include/depth_pyramid.glsl"
 #include "include/flux_sums.glsl"
 #include "include/footprint.glsl"
@@ -26,6 +27,10 @@ layout(location = 1) uniform float stepsPerFlux;   // of the sums
 layout(location = 2) uniform vec2 depthLimits;     // planes outside of these are left out, m
 layout(location = 3) uniform vec3 extinctionPerMetre;
 layout(location = 4) uniform int testSurfaceShadow; // 0: nothing stands out of the water
+#ifndef LARGE
+layout(location = 5) uniform int culled; // 0: every tile of the grid takes part
+layout(std430, binding = 2) readonly buffer Kept { uint kept[]; }; // cull_tiles.comp
+#endif
 
 // The corners of a quad: p and q the ends of its diagonal, r and s beside it. Beams are r p q and q p s.
 struct Quad {
@@ -177,9 +182,10 @@ void main() {
 }
 #else
 void main() {
-    int group = int(gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x), across = (quads.x + 7) / 8;
-    ivec2 within = ivec2(gl_LocalInvocationIndex & 7u, gl_LocalInvocationIndex >> 3);
-    ivec2 at = 8 * ivec2(group % across, group / across) + within;
+    int group = int(gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x);
+    if (culled != 0 && group >= int(kept[3])) return;
+    int tile = culled != 0 ? int(kept[5 + group]) : group, within = int(gl_LocalInvocationIndex);
+    ivec2 at = firstQuad(tile, quads) + ivec2(within % tileQuads, within / tileQuads);
     if (any(greaterThanEqual(at, quads))) return;
     Quad quad;
     Walk walk;

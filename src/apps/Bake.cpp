@@ -21,8 +21,9 @@ io::BakedLight bakedLight(Engine& engine, int index, const std::vector<io::Baked
     for (const io::BakedMap& map : maps)
         if (map.light == name) flux.deposited += map.deposited;
     const int beams = engine.light(index).beams.triangleCount;
-    return {name,           beams,          beams,       flux.entering, flux.absorbed,
-            flux.scattered, flux.deposited, flux.missed, flux.rejected, flux.residual()};
+    return {name,          beams,          engine.beamsDrawn(index), flux.entering,
+            flux.absorbed, flux.scattered, flux.deposited,           flux.missed,
+            flux.rejected, flux.residual()};
 }
 
 void printBake(const io::Bake& bake) {

@@ -253,7 +253,7 @@ void Run::describeWork(Series& series, std::int64_t peak) {
         result.planesDrawn += drawn;
     }
     for (int light = 0; light < int(scene.lights.size()); ++light)
-        result.beamsDrawn += _engine.light(light).beams.triangleCount;
+        result.beamsDrawn += _engine.beamsDrawn(light);
 }
 
 void Run::compareMaps(Series& series) {

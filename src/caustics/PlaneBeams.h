@@ -2,6 +2,7 @@
 #include <array>
 #include <optional>
 
+#include "caustics/BeamTiles.h"
 #include "caustics/CausticMap.h"
 #include "caustics/FluxSums.h"
 #include "gl/Program.h"
@@ -31,6 +32,7 @@ class PlaneBeams {
         const WaterPatch& patch; ///< that the surface covers
         const Water& water;
         const Light& light;
+        const BeamCulling* culling = nullptr; ///< its list says which beams to ask about the map; null: all
         Colours colours = Colours::AsNeeded;
     };
     /// How the pass is run. One dispatch for each plane, as the thesis has it, gives the same bits as a

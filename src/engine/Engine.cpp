@@ -40,7 +40,7 @@ Engine::Engine(gl::Context& context)
     : _context(context), _surface(context), _beamTracer(context), _sceneDepthPass(context),
       _surfaceShadowPass(context), _levelMapPass(context), _smartSlicing(context),
       _tangentPlanesPass(context), _planeDepthsPass(context), _drawnPlanes(context), _planeBeams(context),
-      _exactBeams(context), _fluxAudit(context) {}
+      _culling(context), _exactBeams(context), _fluxAudit(context) {}
 
 void Engine::setScene(Scene scene) {
     _scene = std::move(scene);
@@ -102,6 +102,7 @@ void Engine::freeMaps() {
     _lights.resize(_scene.lights.size());
     _drawnPlanes.free();
     _planeBeams.free();
+    _culling.free();
     _exactBeams.free();
     if (_volumetric) _volumetric->free();
     _lightsReady = false;
@@ -117,6 +118,8 @@ void Engine::updateCaustics(double time) {
 /// Water, and what becomes of every light in it.
 void Engine::updateSurface(double time) {
     _skipped = {};
+    for (ReceiverMaps& maps : _maps)
+        maps.culled = false;
     const bool rests = _reuse && _causticsTime && (*_causticsTime == time || !moves(_scene.water));
     if (rests) return;
     _causticsTime = time;
@@ -132,11 +135,6 @@ void Engine::updateSurface(double time) {
         maps.filled = false;
 }
 
-/// Whether nothing comes of a light.
-bool Engine::isDark(int light) const {
-    return _lights[std::size_t(light)].beams.strength == glm::dvec3(0);
-}
-
 void Engine::traceBeams() {
     for (std::size_t i = 0; i < _lights.size(); ++i) {
         LightState& state = _lights[i];
@@ -147,6 +145,7 @@ void Engine::traceBeams() {
         Scope scope(_timers, "beams");
         _beamTracer.trace(state.beams, _surface.mesh(),
                           state.surfaceShadow.id() ? &state.surfaceShadow : nullptr);
+        if (cullsBeams()) _culling.update(state.tiles, state.beams, _surface.mesh());
     }
 }
 
@@ -302,11 +301,14 @@ void Engine::fill(ReceiverMaps& maps) {
     switch (_scene.caustics.method) {
     case Method::LevelMap:
     case Method::LevelMapSmart:
-        if (_scene.caustics.fill == Fill::OnePass)
-            _planeBeams.fill(maps.caustics, {maps.level, maps.depths, state.beams, _surface.mesh(), _patch,
-                                             _scene.water, _scene.lights[std::size_t(maps.light)]});
-        else
+        if (_scene.caustics.fill == Fill::Drawn) {
             _drawnPlanes.fill(maps.caustics, maps.level, state.beams, _surface.mesh(), _scene.water);
+            break;
+        }
+        if (cullsBeams()) cullBeams(maps);
+        _planeBeams.fill(maps.caustics, {maps.level, maps.depths, state.beams, _surface.mesh(), _patch,
+                                         _scene.water, _scene.lights[std::size_t(maps.light)],
+                                         cullsBeams() ? &_culling : nullptr, colours});
         break;
     case Method::ExactBeam:
         _exactBeams.fill(maps.caustics,
@@ -318,17 +320,6 @@ void Engine::fill(ReceiverMaps& maps) {
         _volumetric->combine(maps.caustics, maps.level, maps.slices);
         break;
     }
-}
-
-/// What filling a map leaves out by its settings.
-void Engine::countSkipped(const ReceiverMaps& maps) {
-    if (!_skipping) return;
-    const CausticsSettings& settings = _scene.caustics;
-    const int all = maps.level.frame.flat ? 1 : maps.level.requestedPlanes;
-    if (settings.method == Method::LevelMapSmart && settings.slicing == Slicing::Automatic)
-        _skipped.planes += all - int(maps.level.planes.size());
-    const glm::dvec3 extinction = _scene.water.absorption + _scene.water.scattering;
-    if (fillOf(settings.method, settings.fill) == Fill::OnePass && isGrey(extinction)) _skipped.channels += 2;
 }
 
 FluxBalance Engine::auditFlux(int index) {

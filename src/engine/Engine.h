@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "caustics/BeamTiles.h"
 #include "caustics/CausticMap.h"
 #include "caustics/DrawnPlanes.h"
 #include "caustics/ExactBeams.h"
@@ -34,6 +35,7 @@ struct LightState {
     gl::Texture surfaceShadow; ///< empty if nothing stands out of the water
     gl::Texture lampShadow;    ///< empty unless a lamp is under water and a picture shows it
     double farthest = 1;       ///< m of water to the farthest receiver, at most
+    BeamTiles tiles;           ///< where beams are passed over many at a time
 };
 
 /// The maps of one receiver and one light.
@@ -51,6 +53,8 @@ struct ReceiverMaps {
 
     bool ready = false;  ///< whether all but the light is there
     bool filled = false; ///< with the light of the last update
+    bool culled = false; ///< whether the last update has passed over beams of which none could reach the map
+    gl::Buffer askedBeams; ///< a uint: how many it has not passed over
 };
 
 /// The order of a frame. Needs a current context, which it does not own; holds everything on the GPU that one
@@ -75,7 +79,10 @@ class Engine {
     /// Water at `time` (s), beams, level maps, caustic maps: thesis figure 4-17.
     void updateCaustics(double time);
     /// What the last update left out, and what was drawn since.
-    const Skipped& skipped() const { return _skipped; }
+    /// Waits for the GPU.
+    Skipped skipped() const;
+    /// Beams of a light that some map was asked about in the last update. Waits for the GPU.
+    std::int64_t beamsDrawn(int light) const;
     /// One entry for each light and each receiver that reaches into the water, lights outermost; after it,
     /// one for each of its further maps.
     const std::vector<ReceiverMaps>& maps() const { return _maps; }
@@ -105,6 +112,8 @@ class Engine {
     void updateMaps(ReceiverMaps& maps);
     void updateReceiver(ReceiverMaps& maps);
     bool isDark(int light) const;
+    bool cullsBeams() const;
+    void cullBeams(ReceiverMaps& maps);
     void countSkipped(const ReceiverMaps& maps);
     std::vector<bool> shownMaps(glm::ivec2 size);
     void prepareMaps(ReceiverMaps& maps);
@@ -133,6 +142,7 @@ class Engine {
     PlaneDepthsPass _planeDepthsPass;
     DrawnPlanes _drawnPlanes;
     PlaneBeams _planeBeams;
+    BeamCulling _culling;
     ExactBeams _exactBeams;
     std::unique_ptr<Volumetric> _volumetric; ///< made when a scene asks for it
     FluxAudit _fluxAudit;

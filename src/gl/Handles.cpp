@@ -62,6 +62,10 @@ void Buffer::clearToZero() {
     glClearNamedBufferData(_id, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
 }
 
+void Buffer::copy(const Buffer& from, std::int64_t offset, std::int64_t bytes) {
+    glCopyNamedBufferSubData(from._id, _id, offset, 0, bytes);
+}
+
 void Buffer::readBytes(void* out, std::int64_t offset, std::int64_t bytes) const {
     glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     if (bytes > 0) glGetNamedBufferSubData(_id, offset, bytes, out);

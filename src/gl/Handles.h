@@ -35,6 +35,8 @@ class Buffer {
     std::int64_t bytes() const { return _bytes; }
     void write(std::int64_t offset, std::int64_t bytes, const void* data);
     void clearToZero();
+    /// Begins with `bytes` of another buffer, from `offset` on.
+    void copy(const Buffer& from, std::int64_t offset, std::int64_t bytes);
     void bindStorage(GLuint binding) const { glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, _id); }
     void bindUniform(GLuint binding) const { glBindBufferBase(GL_UNIFORM_BUFFER, binding, _id); }
 

@@ -122,6 +122,52 @@ TEST_F(SkippingGLTest, countsWhatItLeavesOut) {
     EXPECT_EQ(engine.skipped().causticMaps, 0) << "counts are those of one frame";
 }
 
+TEST_F(SkippingGLTest, passesOverBeamsThatMissAReceiver) {
+    Scene scene = balls();
+    scene.caustics.method = Method::LevelMap;
+    scene.lights.push_back(scenes::sunAt(-50, "low"));
+    Light lamp;
+    lamp.name = "lamp";
+    lamp.type = LightType::Point;
+    lamp.position = {0.5, 0.7, 0.1};
+    scene.lights.push_back(lamp);
+    scene.receivers.push_back(scenes::floorAt(-0.9, 0.5));
+    Engine skipping(context()), working(context());
+    working.setSkipping(false);
+    const Baked less = bake(skipping, scene), all = bake(working, scene);
+    expectSameMaps(less, all, "balls");
+    const std::int64_t beams = 2 * 48 * 48, pairs = beams * std::int64_t(skipping.maps().size());
+    printf("%.1f %% of beams by maps are passed over\n",
+           100 * double(skipping.skipped().beams) / double(pairs));
+    EXPECT_GT(skipping.skipped().beams, pairs / 2) << "ten small receivers in a wide water";
+    EXPECT_LT(skipping.skipped().beams, pairs);
+    EXPECT_EQ(working.skipped().beams, 0);
+    for (int light = 0; light < 3; ++light) {
+        EXPECT_LE(skipping.beamsDrawn(light), beams);
+        EXPECT_GT(skipping.beamsDrawn(light), beams / 20);
+        EXPECT_EQ(working.beamsDrawn(light), beams);
+    }
+    double sum = 0;
+    for (const MapData& map : less.maps)
+        sum += map.deposited;
+    EXPECT_GT(sum, 0.1);
+    skipping.updateCaustics(0);
+    EXPECT_EQ(skipping.skipped().beams, 0) << "a resting map asks about none";
+}
+
+TEST_F(SkippingGLTest, passesOverAllBeamsWhereNoneArrive) {
+    // A ball in the shade of a floor above it.
+    Scene scene =
+        waves({scenes::floorAt(-0.4, 3), scenes::shape("ball", makeSphere(0.1, glm::vec3(1)), {0, -0.8, 0})});
+    scene.caustics.method = Method::LevelMapSmart;
+    Engine engine(context());
+    const Baked baked = bake(engine, scene);
+    EXPECT_EQ(baked.maps.at(1).deposited, 0);
+    EXPECT_GT(baked.maps.at(0).deposited, 1);
+    EXPECT_EQ(engine.skipped().unlitMaps, 1);
+    EXPECT_GE(engine.skipped().beams, 2 * 32 * 32);
+}
+
 TEST_F(SkippingGLTest, drawsTheSamePictures) {
     Scene scene = balls();
     // From above, from close by, from below the water, from the side into the waves, straight down.

@@ -1,0 +1,73 @@
+#include "caustics/BeamTiles.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace limpid {
+
+namespace {
+constexpr int groupSize = 64;
+constexpr int tileQuads = 8; // as in shaders/include/beam_tiles.glsl
+enum Uniform { Quads };
+enum Binding : GLuint { BoundsBinding, ReachedBinding, KeptBinding };
+
+glm::ivec2 tilesOf(glm::ivec2 quads) {
+    return (quads + tileQuads - 1) / tileQuads;
+}
+} // namespace
+
+std::int64_t BeamTiles::countOf(glm::ivec2 quads) {
+    const glm::ivec2 tiles = tilesOf(quads);
+    return std::int64_t(tiles.x) * tiles.y;
+}
+
+std::int64_t BeamTiles::reachedBeams() const {
+    std::int64_t beams = 0;
+    const int across = tilesOf(quads).x;
+    const auto marks = reached.read<std::uint32_t>(std::size_t(count()));
+    for (int tile = 0; tile < int(marks.size()); ++tile) {
+        if (!marks[std::size_t(tile)]) continue;
+        const glm::ivec2 first = tileQuads * glm::ivec2(tile % across, tile / across);
+        const glm::ivec2 size = glm::min(quads - first, glm::ivec2(tileQuads));
+        beams += 2 * std::int64_t(size.x) * size.y;
+    }
+    return beams;
+}
+
+BeamCulling::BeamCulling(gl::Context& context)
+    : _context(context), _bounds({"caustics/beam_tiles.comp"}), _cull({"caustics/cull_tiles.comp"}) {}
+
+void BeamCulling::update(BeamTiles& tiles, const Beams& beams, const WaterMesh& surface) {
+    if (tiles.quads != surface.quads) {
+        tiles.quads = surface.quads;
+        tiles.bounds = gl::Buffer(_context.ledger(), "beam tiles", 64 * tiles.count());
+        tiles.reached = gl::Buffer(_context.ledger(), "beam tiles", 4 * tiles.count());
+    }
+    tiles.bounds.bindStorage(BoundsBinding);
+    tiles.reached.bindStorage(ReachedBinding);
+    beams.origins.bindStorage(3);
+    beams.directions.bindStorage(4);
+    _bounds.set(Quads, surface.quads);
+    _bounds.dispatch(tiles.count(), groupSize);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+}
+
+void BeamCulling::cull(const BeamTiles& tiles, const LevelMap& map, const PlaneDepths& depths) {
+    const std::int64_t bytes = 4 * (5 + tiles.count());
+    if (_kept.bytes() < bytes) {
+        _kept = {};
+        _kept = gl::Buffer(_context.ledger(), "beam tiles", bytes);
+    }
+    constexpr std::uint32_t none[5] = {0, 0, 1, 0, 0};
+    _kept.write(0, sizeof(none), none);
+    map.box.bindUniform(1);
+    depths.pyramid.bind(0);
+    tiles.bounds.bindStorage(BoundsBinding);
+    tiles.reached.bindStorage(ReachedBinding);
+    _kept.bindStorage(KeptBinding);
+    _cull.set(Quads, tiles.quads);
+    _cull.dispatch(tiles.count(), groupSize);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+}
+
+} // namespace limpid

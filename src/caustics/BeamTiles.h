@@ -1,0 +1,49 @@
+#pragma once
+#include "gl/Context.h"
+#include "gl/Handles.h"
+#include "gl/Program.h"
+#include "levelmap/LevelMap.h"
+#include "levelmap/PlaneDepths.h"
+#include "water/Beams.h"
+
+namespace limpid {
+
+/// The beams of a light by tiles of 8 × 8 quads of the water's grid.
+struct BeamTiles {
+    gl::Buffer bounds;  ///< RayBounds of shaders/include/beam_tiles.glsl
+    gl::Buffer reached; ///< a tile: uint, 1 if some map was asked about it since the bounds were made
+    glm::ivec2 quads{0};
+
+    static std::int64_t countOf(glm::ivec2 quads);
+    std::int64_t count() const { return countOf(quads); }
+    /// Beams in the tiles that some map was asked about. Waits for the GPU.
+    std::int64_t reachedBeams() const;
+};
+
+/// Finds the tiles that may send light to a map, so that a receiver costs by the beams that may reach it and
+/// not by all.
+class BeamCulling {
+  public:
+    explicit BeamCulling(gl::Context& context);
+
+    /// Bounds of the rays of `beams`; needs to be done once for each surface.
+    void update(BeamTiles& tiles, const Beams& beams, const WaterMesh& surface);
+
+    /// What a map is asked about: a scratch list, overwritten for the next.
+    /// Four uints: work groups of an indirect dispatch (x, y, z), tiles; beams in them; the tiles.
+    const gl::Buffer& kept() const { return _kept; }
+    /// Lists the tiles that may send a beam to one of the map's planes; all others send none.
+    void cull(const BeamTiles& tiles, const LevelMap& map, const PlaneDepths& depths);
+    /// Where in `kept` the number of beams is, bytes.
+    static constexpr std::int64_t beamCountOffset = 16;
+
+    /// Gives back its memory until the next `cull`.
+    void free() { _kept = {}; }
+
+  private:
+    gl::Context& _context;
+    gl::Program _bounds, _cull;
+    gl::Buffer _kept;
+};
+
+} // namespace limpid

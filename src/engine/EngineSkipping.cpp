@@ -1,0 +1,51 @@
+#include "engine/Engine.h"
+
+/// What the engine leaves out, and how it counts that.
+namespace limpid {
+
+/// Whether nothing comes of a light.
+bool Engine::isDark(int light) const {
+    return _lights[std::size_t(light)].beams.strength == glm::dvec3(0);
+}
+
+bool Engine::cullsBeams() const {
+    const CausticsSettings& settings = _scene.caustics;
+    return _skipping && hasFills(settings.method) && settings.fill == Fill::OnePass;
+}
+
+void Engine::cullBeams(ReceiverMaps& maps) {
+    _culling.cull(_lights[std::size_t(maps.light)].tiles, maps.level, maps.depths);
+    if (!maps.askedBeams.id()) maps.askedBeams = gl::Buffer(_context.ledger(), "beam tiles", 4);
+    maps.askedBeams.copy(_culling.kept(), BeamCulling::beamCountOffset, sizeof(std::uint32_t));
+    maps.culled = true;
+}
+
+/// What filling a map leaves out by its settings.
+void Engine::countSkipped(const ReceiverMaps& maps) {
+    if (!_skipping) return;
+    const CausticsSettings& settings = _scene.caustics;
+    const int all = maps.level.frame.flat ? 1 : maps.level.requestedPlanes;
+    if (settings.method == Method::LevelMapSmart && settings.slicing == Slicing::Automatic)
+        _skipped.planes += all - int(maps.level.planes.size());
+    const glm::dvec3 extinction = _scene.water.absorption + _scene.water.scattering;
+    if (fillOf(settings.method, settings.fill) == Fill::OnePass && isGrey(extinction)) _skipped.channels += 2;
+}
+
+Skipped Engine::skipped() const {
+    Skipped skipped = _skipped;
+    for (const ReceiverMaps& maps : _maps) {
+        if (!maps.culled) continue;
+        const auto asked = maps.askedBeams.read<std::uint32_t>(1).front();
+        skipped.beams += _lights[std::size_t(maps.light)].beams.triangleCount - std::int64_t(asked);
+        if (asked == 0) ++skipped.unlitMaps;
+    }
+    return skipped;
+}
+
+std::int64_t Engine::beamsDrawn(int light) const {
+    const LightState& state = _lights[std::size_t(light)];
+    if (_skipping && isDark(light)) return 0;
+    return state.tiles.quads == glm::ivec2(0) ? state.beams.triangleCount : state.tiles.reachedBeams();
+}
+
+} // namespace limpid
