@@ -22,8 +22,13 @@ layout(std430, binding = 9) readonly buffer BeamLit { float lit[]; };
 
 // Depths within this much, in texels, are one plane.
 const float flatness = 2e-3;
-// A quad that touches more texels is left to many invocations.
-const int most = 256;
+// A quad whose corners are further apart, in texels, is left to many invocations.
+const float widest = 64.0;
+
+bool isWide(Quad quad) {
+    vec2 across = max(abs(quad.q.xy - quad.p.xy), abs(quad.s.xy - quad.r.xy));
+    return max(across.x, across.y) > widest;
+}
 
 // The corners' rays with depths counted from the plane that leans.
 struct Leant {
@@ -86,7 +91,7 @@ void depositOnPlane(Quad quad, Leant leant, Slab slab, float upright) {
     vec4 metres = metresTo(quad, leant, upright);
 #endif
     ivec2 texel = slab.low;
-    int count = (slab.high.x - slab.low.x + 1) * (slab.high.y - slab.low.y + 1);
+    int count = texelsOf(slab);
     for (int i = 0; i < count; ++i) {
         vec2 low, high;
         texelIn(sheet, vec2(texel), low, high);
@@ -112,14 +117,13 @@ void main() {
     bool onPlane = false;
     if (lean(leant.p) && lean(leant.q) && lean(leant.r) && lean(leant.s)) {
         if (!settle(leant.p, leant.q, leant.r, leant.s, slab, depths)) return;
-        ivec2 span = slab.high - slab.low + 1;
-        onPlane = depths.y - depths.x <= flatness * boxExtent.w && span.x * span.y <= most;
+        onPlane = depths.y - depths.x <= flatness * boxExtent.w && texelsOf(slab) <= mostTexels;
 #ifdef SHADED
         int fate = fateOf(quad, index, leant, slab, depths);
         if (fate == taken) return;
-        if (fate == unsure) list = shaded, onPlane = false;
+        if (fate == unsure) list = isWide(quad) ? wide : shaded, onPlane = false;
     } else {
-        list = shaded;
+        list = isWide(quad) ? wide : shaded;
 #endif
     }
     if (onPlane) depositOnPlane(quad, leant, slab, 0.5 * (depths.x + depths.y));

@@ -17,6 +17,7 @@
 layout(binding = 2) uniform sampler2D positionMap; // RG32F
 #endif
 layout(local_size_x = 64) in;
+const int mostTexels = 256; // that one invocation walks
 layout(binding = 0) uniform sampler2D planeDepths; // RGBA32F, m
 layout(binding = 1) uniform sampler2D normalMap;   // RG16
 layout(std430, binding = 3) readonly buffer BeamOrigins { vec4 origins[]; };

@@ -89,6 +89,17 @@ bool settle(vec4 a, vec4 b, vec4 c, vec4 d, out Slab slab, out vec2 depths) {
     return true;
 }
 
+// A quad that touches more texels is not for one invocation.
+const int mostTexels = 256;
+
+int texelsOf(Slab slab) {
+    ivec2 span = slab.high - slab.low + 1;
+    return span.x * span.y;
+}
+
+// Whether a settled quad is walked at once; else its many texels come from how far its light goes along the receiver.
+bool isOneSlab(Slab slab, vec2 depths) { return texelsOf(slab) <= mostTexels || depths.y - depths.x <= boxExtent.w; }
+
 // Light along the receiver may meet it anywhere: its way through the box is cut into so many slabs of depth that
 // each has few texels. A power of two, so that whole runs of them can be passed over.
 int slabsAlong(Quad quad) {

@@ -43,6 +43,8 @@ void texelIn(Sheet sheet, vec2 texel, out vec2 low, out vec2 high) {
 
 // Flux of both beams that falls into a rectangle.
 float fluxIn(Sheet sheet, vec2 low, vec2 high) {
+    // Beside the sheet there is only rounding, and light along a face is dense enough to make it count.
+    if (any(lessThanEqual(high, low))) return 0.0;
     float diagonal = edgeInRectangle(sheet.pq, low, high);
     float upper = edgeInRectangle(sheet.rp, low, high) + diagonal + edgeInRectangle(sheet.qr, low, high);
     float lower = edgeInRectangle(sheet.ps, low, high) + edgeInRectangle(sheet.sq, low, high) - diagonal;

@@ -30,11 +30,21 @@ constexpr double stepsPerTexel = 1 << 22;
 /// where they are.
 constexpr std::int64_t mostTiles = 65535;
 
+/// Touches of quads that may be shaded, which wait for their pass: 16 MiB of them. Quads beyond are walked as
+/// wide ones are.
+constexpr std::int64_t mostTouches = 1 << 21;
+
 /// As shaders/include/beam_lists.glsl has them.
-enum List { Plain, Shaded };
+enum List { Plain, ShadedQuads, Wide };
 struct ListWork {
     std::uint32_t groups[3]{0, 1, 1};
     std::uint32_t count = 0;
+};
+
+/// As shaders/include/beam_touches.glsl has it.
+struct TouchWork {
+    std::uint32_t groups[3]{0, 1, 1};
+    std::int32_t asked = 0, count[2]{};
 };
 
 /// What one unit of a beam's flux is spread over, in its unit: the area of a texel, m², or the solid angle
@@ -61,9 +71,10 @@ const gl::Program& ExactBeams::program(Pass pass, const Variant& variant) {
     if (variant.coloured) defines.emplace_back("COLOURED");
     if (variant.shaded) defines.emplace_back("SHADED");
     if (pass == Pass::Tiles) defines.emplace_back("LARGE");
-    const char* file =
-        pass == Pass::AllQuads ? "caustics/exact_beams.comp" : "caustics/exact_beams_by_texel.comp";
-    return program.emplace(std::initializer_list<const char*>{file}, defines);
+    constexpr const char* files[] = {"caustics/exact_beams.comp", "caustics/exact_beams_by_texel.comp",
+                                     "caustics/exact_beams_gather.comp", "caustics/exact_beams_touches.comp",
+                                     "caustics/exact_beams_by_texel.comp"};
+    return program.emplace(std::initializer_list<const char*>{files[int(pass)]}, defines);
 }
 
 void ExactBeams::reserveSums(std::int64_t count) {
@@ -76,8 +87,8 @@ void ExactBeams::reserveSums(std::int64_t count) {
 /// Room for the lists and tiles, both empty.
 void ExactBeams::prepareLists(std::int64_t quads) {
     gl::Ledger& ledger = _context.ledger();
-    constexpr ListWork none[2];
-    const std::int64_t bytes = std::int64_t(sizeof(none)) + 2 * 4 * quads;
+    constexpr ListWork none[3];
+    const std::int64_t bytes = std::int64_t(sizeof(none)) + 3 * 4 * quads;
     if (_lists.bytes() != bytes) _lists = gl::Buffer(ledger, "beam lists", bytes);
     _lists.write(0, sizeof(none), none);
     if (!_largeBeams.id()) _largeBeams = gl::Buffer(ledger, "large beams", 16 * (mostTiles + 1));
@@ -102,13 +113,30 @@ void ExactBeams::bind(const Inputs& inputs) const {
 
 void ExactBeams::set(const gl::Program& program, const Inputs& inputs, const Variant& variant,
                      double stepsPerFlux) const {
-    program.set(Quads, inputs.surface.quads);
     program.set(StepsPerFlux, float(stepsPerFlux));
     if (variant.extinction)
         program.set(ExtinctionPerMetre, glm::vec3(inputs.water.absorption + inputs.water.scattering));
     if (!variant.shaded) return;
     program.set(TestOcclusion, inputs.sceneDepth ? 1 : 0);
     program.set(TestSurfaceShadow, inputs.beams.surfaceShadow ? 1 : 0);
+}
+
+void ExactBeams::byTexel(const gl::Program& program, int list) const {
+    program.set(ListNumber, list);
+    program.dispatchIndirect(_lists, std::int64_t(list) * std::int64_t(sizeof(ListWork)));
+}
+
+/// Quads that may be shaded, touch by touch.
+void ExactBeams::depositShaded(const Use& use) {
+    if (!_touches.id())
+        _touches =
+            gl::Buffer(_context.ledger(), "beam touches", std::int64_t(sizeof(TouchWork)) + 8 * mostTouches);
+    constexpr TouchWork none;
+    _touches.write(0, sizeof(none), &none);
+    _touches.bindStorage(11);
+    use(Pass::Gather, false).dispatchIndirect(_lists, ShadedQuads * std::int64_t(sizeof(ListWork)));
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
+    use(Pass::Touches, true).dispatchIndirect(_touches, 0);
 }
 
 void ExactBeams::deposit(const Inputs& inputs, bool coloured, double stepsPerFlux) {
@@ -118,10 +146,12 @@ void ExactBeams::deposit(const Inputs& inputs, bool coloured, double stepsPerFlu
     _footprints.updateRays(inputs.beams, inputs.surface, inputs.map);
     prepareLists(quads);
     bind(inputs);
-    const auto use = [&](Pass pass, bool shaded) -> const gl::Program& {
-        const Variant variant{extinction, coloured, shaded};
+    const Use use = [&](Pass pass, bool shaded) -> const gl::Program& {
+        const bool deposits = pass != Pass::Gather;
+        const Variant variant{deposits && extinction, deposits && coloured, shaded};
         const gl::Program& found = program(pass, variant);
-        set(found, inputs, variant, stepsPerFlux);
+        found.set(Quads, inputs.surface.quads);
+        if (deposits) set(found, inputs, variant, stepsPerFlux);
         if (pass != Pass::AllQuads && shaded) found.set(ReceiverNumber, inputs.receiverNumber);
         return found;
     };
@@ -130,12 +160,9 @@ void ExactBeams::deposit(const Inputs& inputs, bool coloured, double stepsPerFlu
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
 
     _largeBeams.bindStorage(9);
-    for (const List list : {Plain, Shaded}) {
-        if (list == Shaded && !mayBeShaded) continue;
-        const gl::Program& byTexel = use(Pass::Listed, list == Shaded);
-        byTexel.set(ListNumber, int(list));
-        byTexel.dispatchIndirect(_lists, std::int64_t(list) * std::int64_t(sizeof(ListWork)));
-    }
+    if (mayBeShaded) depositShaded(use);
+    byTexel(use(Pass::Listed, false), Plain);
+    if (mayBeShaded) byTexel(use(Pass::Listed, true), Wide);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
     use(Pass::Tiles, mayBeShaded).dispatchIndirect(_largeBeams, 0);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);

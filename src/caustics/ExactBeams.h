@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <functional>
 #include <optional>
 
 #include "caustics/BeamFootprints.h"
@@ -37,12 +38,14 @@ class ExactBeams {
         _footprints.free();
         _sums = {};
         _lists = {};
+        _touches = {};
         _largeBeams = {};
     }
 
   private:
-    /// The dispatches of a fill: all quads; those of a list; tiles of the quads that touch many texels.
-    enum class Pass { AllQuads, Listed, Tiles };
+    /// The dispatches of a fill: all quads; those of a list; which texels the quads touch that may be shaded,
+    /// and these touches; tiles of the quads that touch many texels.
+    enum class Pass { AllQuads, Listed, Gather, Touches, Tiles };
     /// What a program is compiled for.
     struct Variant {
         bool extinction, coloured, shaded;
@@ -53,15 +56,19 @@ class ExactBeams {
     void bind(const Inputs& inputs) const;
     void set(const gl::Program& program, const Inputs& inputs, const Variant& variant,
              double stepsPerFlux) const;
+    using Use = std::function<const gl::Program&(Pass pass, bool shaded)>; ///< with its uniforms set
+    void byTexel(const gl::Program& program, int list) const;
+    void depositShaded(const Use& use);
     void deposit(const Inputs& inputs, bool coloured, double stepsPerFlux);
 
     gl::Context& _context;
     BeamFootprints _footprints;
-    std::array<std::array<std::optional<gl::Program>, 8>, 3> _programs; ///< compiled when first needed
+    std::array<std::array<std::optional<gl::Program>, 8>, 5> _programs; ///< compiled when first needed
     gl::Program _resolve;
     gl::Buffer _sums;       ///< zero between maps
     gl::Buffer _lists;      ///< as shaders/include/beam_lists.glsl has it
-    gl::Buffer _largeBeams; ///< as exact_beams_by_texel.comp has it
+    gl::Buffer _touches;    ///< as shaders/include/beam_touches.glsl has it
+    gl::Buffer _largeBeams; ///< as shaders/include/large_beams.glsl has it
 };
 
 } // namespace limpid

@@ -73,6 +73,24 @@ TEST_F(ExactBeamsGLTest, everyRunGivesTheSameBits) {
         EXPECT_EQ(a.maps[i].irradiance, b.maps[i].irradiance);
 }
 
+TEST_F(ExactBeamsGLTest, lightAlongFlanksIsTheSameInEveryRun) {
+    // Its flanks have maps of their own, which light crosses from end to end: hundreds of texels a quad.
+    Scene scene;
+    scene.receivers = {scenes::model("fish", -1)};
+    scene.lights = {scenes::sunAt(20)};
+    scene.water.waves = {scenes::cosine(0.012, 0.5, {1, 0.3}), scenes::noise(0.02, 0.45)};
+    scene.water.grid = {96, 96};
+    scene.caustics.mapSize = 384;
+    scene.caustics.method = Method::ExactBeam;
+    const Baked a = bake(scene, true), b = bake(scene);
+    ASSERT_GT(a.maps.size(), 1u) << "flanks";
+    for (std::size_t i = 0; i < a.maps.size(); ++i)
+        EXPECT_EQ(a.maps[i].irradiance, b.maps[i].irradiance);
+    const FluxBalance& flux = a.flux.at(0);
+    printf("residual %.3f %% of entering\n", 100 * flux.residual() / flux.entering);
+    EXPECT_LT(std::abs(flux.residual()), 0.002 * flux.entering);
+}
+
 TEST_F(ExactBeamsGLTest, aFewLargeBeamsLightAsManySmall) {
     // Flat water, so that nothing but the way of depositing differs: 18 beams of tens of thousands of texels
     // are shared out among many invocations, 73,728 small ones are not.

@@ -1,0 +1,68 @@
+// What one texel takes of a quad's beams: cut at the texel's own tangent plane (physics.md, point 5: exact on flat faces,
+// and free of 1/area at a focus), less what the light loses on its way. EXTINCTION: water takes light. SHADED: something
+// may shade the quad.
+#include "include/beam_cut.glsl"
+#include "include/beam_sheet.glsl"
+#include "include/beam_deposit.glsl"
+#include "include/optics.glsl"
+layout(location = 1) uniform float stepsPerFlux;      // of the sums
+#ifdef EXTINCTION
+layout(location = 2) uniform vec3 extinctionPerMetre;
+#endif
+#ifdef SHADED
+#include "include/occlusion.glsl"
+#include "include/octahedral.glsl"
+#include "include/surface_shadow.glsl"
+layout(binding = 7) uniform sampler2D normalMap;      // RG16
+layout(location = 3) uniform int testOcclusion;       // 0: nothing can be before the receiver
+layout(location = 4) uniform int testSurfaceShadow;   // 0: nothing stands out of the water
+layout(location = 5) uniform int receiverNumber;
+#endif
+#ifdef SHADED
+// The share of the light that arrives at a place of the texel, from `from` at the surface.
+float arriving(vec3 from, vec2 at, float depth, vec4 plane, ivec2 texel) {
+    if (testOcclusion != 0) {
+        vec3 to = boxPoint(vec3(at * boxExtent.w, depth));
+        if ((boxSize.w & 7) != 0) to += besideFace(octahedralDecode(texelFetch(normalMap, texel, 0).xy));
+        float aside = distance(entryPoint(from).xz, entryPoint(to).xz);
+        if (aside >= plane.w && (aside < -plane.w || isTaken(from, to, length(plane.yz) / boxExtent.w, receiverNumber))) return 0.0;
+    }
+    return testSurfaceShadow != 0 ? surfaceVisibility(from, 0.0) : 1.0;
+}
+#endif
+
+#if defined(EXTINCTION) || defined(SHADED)
+// What is left of the light on its way to the texel, by channel.
+vec3 leftOf(Quad quad, Sheet sheet, vec2 low, vec2 high, vec4 plane, ivec2 texel) {
+    vec2 middle = middleIn(sheet, low, high);
+    vec4 weights = weightsAt(sheet, middle);
+    vec2 part = sheet.origin + middle;
+    vec2 slope = weights.x * quad.p.zw + weights.y * quad.q.zw + weights.z * quad.r.zw + weights.w * quad.s.zw;
+    float depth = plane.x + dot(plane.yz, part - 0.5), start = dot(weights, quad.starts);
+    vec3 left = vec3(1.0);
+#ifdef SHADED
+    vec2 at = vec2(texel) + part;
+    vec3 from = boxPoint(vec3((at - slope * (depth - start)) * boxExtent.w, start));
+    left *= arriving(from, at, depth, plane, texel);
+#endif
+#ifdef EXTINCTION
+    left *= extinction(extinctionPerMetre, (depth - start) * length(vec3(slope * boxExtent.w, 1.0)));
+#endif
+    return left;
+}
+#endif
+
+void touch(Quad quad, ivec2 texel) {
+    Cut cut = cutAt(quad, texel);
+    if (!mayTouch(cut)) return;
+    Sheet sheet = sheetOf(cut.p, cut.q, cut.r, cut.s, quad.flux * (cut.cosine * stepsPerFlux));
+    vec2 low, high;
+    texelIn(sheet, vec2(0.0), low, high);
+    float amount = fluxIn(sheet, low, high);
+    if (!(amount > 0.0)) return;
+#if defined(EXTINCTION) || defined(SHADED)
+    deposit(texel, amount * leftOf(quad, sheet, low, high, cut.plane, texel));
+#else
+    deposit(texel, vec3(amount));
+#endif
+}
