@@ -15,13 +15,14 @@ layout(location = 4) uniform int waveCount;
 layout(location = 5) uniform int frameCount;           // two for each height map
 layout(location = 6) uniform vec4 heightMapPlaces[4];  // corner x, z, m; texels a metre
 layout(location = 10) uniform float frameShares[8];    // m for one unit
+layout(location = 18) uniform int tiled[4];            // 1: the height map repeats without end
 layout(binding = 0) uniform sampler2D frames[8];       // coefficients of a bicubic B-spline
 
 // Value and derivatives by texel of a frame at `at`, in texels from the corner of the first one. Outside of the
-// texture it is 0, as the outermost coefficients are.
+// texture it is 0, as the outermost coefficients are, or it begins again.
 vec3 splineAt(int frame, vec2 at) {
     vec2 size = vec2(textureSize(frames[frame], 0));
-    at = clamp(at - 0.5, vec2(-1.0), size);
+    at = tiled[frame / 2] != 0 ? mod(at - 0.5, size) : clamp(at - 0.5, vec2(-1.0), size);
     vec2 base = floor(at);
     vec4 wx = splineWeights(at.x - base.x), dx = splineSlopes(at.x - base.x);
     vec4 wz = splineWeights(at.y - base.y), dz = splineSlopes(at.y - base.y);

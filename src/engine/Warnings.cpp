@@ -16,6 +16,7 @@ namespace {
 double shortest(const Wave& wave) {
     if (wave.type == WaveType::HeightMap)
         return 2 * std::numbers::pi * highestWave(wave) / std::max(steepestSlope(wave), 1e-12);
+    if (wave.type == WaveType::Phillips) return wave.spectrum->shortest;
     return wave.type == WaveType::Noise ? wave.wavelength / std::exp2(wave.octaves - 1) : wave.wavelength;
 }
 

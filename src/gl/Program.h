@@ -30,6 +30,7 @@ class Program {
     void use() const { glUseProgram(_id); }
     void set(GLint location, int value) const { glProgramUniform1i(_id, location, value); }
     void set(GLint location, float value) const { glProgramUniform1f(_id, location, value); }
+    void set(GLint location, double value) const { glProgramUniform1d(_id, location, value); }
     void set(GLint location, glm::ivec2 value) const { glProgramUniform2iv(_id, location, 1, &value.x); }
     void set(GLint location, glm::vec2 value) const { glProgramUniform2fv(_id, location, 1, &value.x); }
     void set(GLint location, glm::vec3 value) const { glProgramUniform3fv(_id, location, 1, &value.x); }

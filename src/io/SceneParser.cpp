@@ -60,8 +60,8 @@ Camera parseCamera(TomlTable table) {
 }
 
 WaveType parseWaveType(TomlTable& table) {
-    constexpr std::string_view names[] = {"cosine", "circular", "noise", "heightmap"};
-    return static_cast<WaveType>(table.choice("type", names, " (phillips comes later)"));
+    constexpr std::string_view names[] = {"cosine", "circular", "noise", "heightmap", "phillips"};
+    return static_cast<WaveType>(table.choice("type", names));
 }
 
 void parseHeightMap(TomlTable& table, Wave& wave, const fs::path& folder) {
@@ -84,6 +84,29 @@ void parseHeightMap(TomlTable& table, Wave& wave, const fs::path& folder) {
     } catch (const InputError& error) {
         throw InputError(table.where("image") + error.what());
     }
+}
+
+void parsePhillips(TomlTable& table, Wave& wave) {
+    Wind wind;
+    table.direction("wind", wind.velocity);
+    if (const toml::node* size = table.value("size"); size && size->is_number()) {
+        table.number("size", wind.tile.x, positive);
+        wind.tile.y = wind.tile.x;
+    } else {
+        table.vector("size", wind.tile, positive);
+    }
+    parseWhole(table, "modes", wind.modes, Wind::minModes, Wind::maxModes);
+    if ((wind.modes & (wind.modes - 1)) != 0) table.fail("modes", "a power of two");
+    table.number("shortest", wind.shortest, positive);
+    std::int64_t seed = wind.seed;
+    table.wholeNumber("seed", seed, 0, 0xFFFFFFFF);
+    wind.seed = static_cast<std::uint32_t>(seed);
+    table.finish(" of a phillips wave");
+    wave.spectrum = phillipsSpectrum(wind);
+    if (!wave.spectrum)
+        table.fail("wind", fmt::format("a wind that raises waves of {:.3g} to {:.3g} m",
+                                       2 * std::min(wind.tile.x, wind.tile.y) / wind.modes,
+                                       std::max(wind.tile.x, wind.tile.y)));
 }
 
 void parseAnalyticWave(TomlTable& table, Wave& wave) {
@@ -110,6 +133,8 @@ Wave parseWave(TomlTable table, const fs::path& folder) {
     table.number("amplitude", wave.amplitude, anyNumber);
     if (wave.type == WaveType::HeightMap)
         parseHeightMap(table, wave, folder);
+    else if (wave.type == WaveType::Phillips)
+        parsePhillips(table, wave);
     else
         parseAnalyticWave(table, wave);
     return wave;
@@ -125,10 +150,10 @@ void parseWaves(TomlTable& table, Water& water, const fs::path& folder) {
     }
     int heightMaps = 0;
     for (TomlTable& wave : waves)
-        if (parseWaveType(wave) == WaveType::HeightMap) ++heightMaps;
+        if (parseWaveType(wave) >= WaveType::HeightMap) ++heightMaps;
     if (heightMaps > maxHeightMaps)
-        throw InputError(fmt::format("{}expected at most {} height maps, found {}", table.where("wave"),
-                                     maxHeightMaps, heightMaps));
+        throw InputError(fmt::format("{}expected at most {} height maps and spectra, found {}",
+                                     table.where("wave"), maxHeightMaps, heightMaps));
     for (TomlTable& wave : waves)
         water.waves.push_back(parseWave(std::move(wave), folder));
 }

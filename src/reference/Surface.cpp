@@ -1,11 +1,11 @@
 #include "reference/Surface.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
 #include "core/Optics.h"
+#include "reference/SplinePieces.h"
 
 namespace limpid::reference {
 
@@ -42,16 +42,6 @@ glm::dvec3 gradientNoise(const glm::ivec3& cell, const glm::dvec3& local, int se
             }
     return sum;
 }
-
-/// The four pieces of a uniform cubic B-spline and their derivatives at `f` in [0, 1].
-struct SplinePieces {
-    std::array<double, 4> value, slope;
-
-    explicit SplinePieces(double f)
-        : value{(1 - f) * (1 - f) * (1 - f) / 6, (3 * f * f * f - 6 * f * f + 4) / 6,
-                (-3 * f * f * f + 3 * f * f + 3 * f + 1) / 6, f * f * f / 6},
-          slope{-(1 - f) * (1 - f) / 2, (3 * f * f - 4 * f) / 2, (-3 * f * f + 2 * f + 1) / 2, f * f / 2} {}
-};
 
 } // namespace
 
@@ -100,6 +90,11 @@ void Surface::add(const Wave& wave, const glm::dvec3& origin, double time) {
     }
     case WaveType::HeightMap:
         return addHeights(wave, origin, time);
+    case WaveType::Phillips:
+        _tiles.push_back({std::make_shared<const WaveTile>(*wave.spectrum, time), wave.amplitude,
+                          glm::mod(here, wave.spectrum->tile)});
+        return bound(amplitude * wave.spectrum->highest, amplitude * wave.spectrum->steepest,
+                     wave.spectrum->shortest);
     }
 }
 
@@ -181,6 +176,11 @@ Surface::Point Surface::at(const glm::dvec2& place) const {
         addNoise(noise, place, sum);
     for (const Heights& heights : _heights)
         addField(heights, place, sum);
+    for (const Tile& tile : _tiles) {
+        const glm::dvec3 waves = tile.amplitude * tile.waves->at(place + tile.corner);
+        sum.height += waves.x;
+        sum.slope += glm::dvec2(waves.y, waves.z);
+    }
     return sum;
 }
 

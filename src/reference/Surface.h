@@ -4,12 +4,14 @@
 
 #include <glm/glm.hpp>
 
+#include "reference/WaveTile.h"
 #include "scene/Scene.h"
 
 namespace limpid::reference {
 
 /// The water's surface as a function, in double precision: what the scene's waves mean, evaluated anew. Only
-/// what cannot be had twice is shared with the GPU: the noise's gradients and a height map's coefficients.
+/// what cannot be had twice is shared with the GPU: the noise's gradients, a height map's coefficients and
+/// the modes of a spectrum.
 class Surface {
   public:
     /// The waves at `time` (s); places are relative to `origin` (m, in the world).
@@ -46,6 +48,12 @@ class Surface {
         glm::dvec2 corner, texels; ///< m; texels a metre
     };
 
+    struct Tile {
+        std::shared_ptr<const WaveTile> waves;
+        double amplitude;
+        glm::dvec2 corner; ///< place (0, 0) in the tile, m
+    };
+
     void add(const Wave& wave, const glm::dvec3& origin, double time);
     void addHeights(const Wave& wave, const glm::dvec3& origin, double time);
     void bound(double height, double slope, double wavelength);
@@ -56,6 +64,7 @@ class Surface {
     std::vector<Sine> _sines;
     std::vector<Noise> _noises;
     std::vector<Heights> _heights;
+    std::vector<Tile> _tiles;
     double _highest = 0, _steepest = 0, _shortest = 0;
 };
 

@@ -35,6 +35,10 @@ class Hash {
 void addWave(Hash& hash, const Wave& wave) {
     hash(int(wave.type), wave.amplitude, wave.wavelength, wave.direction, wave.center, wave.speed, wave.phase,
          wave.octaves, wave.seed, wave.size, wave.fps);
+    if (wave.spectrum) {
+        hash(wave.spectrum->tile);
+        hash.list(wave.spectrum->amplitudes);
+    }
     if (!wave.heights) return;
     // The first frame stands for a sequence.
     hash(wave.heights->frameCount(), wave.heights->bounds().size);

@@ -12,6 +12,7 @@
 
 #include "scene/HeightField.h"
 #include "scene/Mesh.h"
+#include "scene/Spectrum.h"
 
 /// The scene as plain data: what a scene file says, with its defaults. SI units, Y up, right-handed, colours
 /// linear RGB, angles in degrees. The names are those of the scene file.
@@ -25,28 +26,29 @@ struct Camera {
     double exposure = 0;     ///< stops
 };
 
-enum class WaveType { Cosine, Circular, Noise, HeightMap };
+enum class WaveType { Cosine, Circular, Noise, HeightMap, Phillips };
 
 /// One term of the surface's height, m, at horizontal position xz and time t (see
 /// shaders/include/waves.glsl).
 struct Wave {
     WaveType type = WaveType::Cosine;
     /// m; cosine and circular: half of crest to trough; noise: of the first octave; height map: for one unit
-    /// of the image.
+    /// of the image; phillips: root mean square of the height.
     double amplitude = 0.004;
-    double wavelength = 0.2;               ///< m, > 0; noise: the lattice cell of the first octave
-    glm::dvec2 direction{1, 0};            ///< cosine: in xz, of any length > 0
-    glm::dvec2 center{0, 0};               ///< circular, height map: x and z, m
-    double speed = 0;                      ///< m/s
-    double phase = 0;                      ///< degrees
-    int octaves = 4;                       ///< noise: 1 to 12
-    std::uint32_t seed = 0;                ///< noise
-    std::shared_ptr<HeightSource> heights; ///< height map: its frames, in a loop
-    glm::dvec2 size{1};                    ///< height map: extents along x and z, m; 0 outside of them
-    double fps = 30;                       ///< height map: frames a second, > 0
+    double wavelength = 0.2;                  ///< m, > 0; noise: the lattice cell of the first octave
+    glm::dvec2 direction{1, 0};               ///< cosine: in xz, of any length > 0
+    glm::dvec2 center{0, 0};                  ///< circular, height map: x and z, m
+    double speed = 0;                         ///< m/s
+    double phase = 0;                         ///< degrees
+    int octaves = 4;                          ///< noise: 1 to 12
+    std::uint32_t seed = 0;                   ///< noise
+    std::shared_ptr<HeightSource> heights;    ///< height map: its frames, in a loop
+    glm::dvec2 size{1};                       ///< height map: extents along x and z, m; 0 outside of them
+    double fps = 30;                          ///< height map: frames a second, > 0
+    std::shared_ptr<const Spectrum> spectrum; ///< phillips
 };
 
-/// Height maps are textures, which a shader can bind a few of.
+/// Height maps are textures, which a shader can bind a few of. Phillips waves become such.
 inline constexpr int maxHeightMaps = 4;
 
 struct Water {

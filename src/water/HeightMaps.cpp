@@ -14,7 +14,8 @@ namespace {
 HeightMapData heightMapData(const Wave& wave, const glm::dvec3& origin, double share) {
     const glm::dvec2 corner = wave.center - 0.5 * wave.size - glm::dvec2(origin.x, origin.z);
     const glm::dvec2 texels = glm::dvec2(wave.heights->bounds().size) / wave.size;
-    return {glm::vec4(corner, texels), glm::vec2(wave.amplitude * (1 - share), wave.amplitude * share)};
+    return {glm::vec4(corner, texels), glm::vec2(wave.amplitude * (1 - share), wave.amplitude * share),
+            false};
 }
 
 } // namespace
@@ -47,22 +48,45 @@ const HeightMaps::Frame& HeightMaps::hold(Frames& frames, const std::shared_ptr<
     return frame;
 }
 
+HeightMapData HeightMaps::bindFrames(const Wave& wave, std::size_t number, const glm::dvec3& origin,
+                                     double time) {
+    const FramePair pair = framesAt(wave.heights->frameCount(), wave.fps, time);
+    Frames& frames = _frames[number];
+    const auto unit = GLuint(2 * number);
+    hold(frames, wave.heights, pair.first, pair.second).spline.bind(unit);
+    hold(frames, wave.heights, pair.second, pair.first).spline.bind(unit + 1);
+    _tiles[number] = {};
+    return heightMapData(wave, origin, pair.share);
+}
+
+HeightMapData HeightMaps::bindSpectrum(const Wave& wave, std::size_t number, const glm::dvec3& origin,
+                                       double time) {
+    if (!_spectralWaves) _spectralWaves = std::make_unique<SpectralWaves>(_context);
+    SpectralTile& tile = _tiles[number];
+    _spectralWaves->update(tile, wave.spectrum, time);
+    tile.heights.bind(GLuint(2 * number));
+    tile.heights.bind(GLuint(2 * number + 1));
+    _frames[number] = {};
+    // Texel 0 is at the world's origin; how far that is from the scene's is told within one tile.
+    const glm::dvec2 texels = double(tile.heights.size().x) / wave.spectrum->tile;
+    const glm::dvec2 away = glm::mod(glm::dvec2(origin.x, origin.z), wave.spectrum->tile);
+    return {glm::vec4(-away - 0.5 / texels, texels), glm::vec2(wave.amplitude, 0), true};
+}
+
 std::vector<HeightMapData> HeightMaps::bind(const Water& water, const glm::dvec3& origin, double time) {
     std::vector<HeightMapData> maps;
     for (const Wave& wave : water.waves) {
-        if (wave.type != WaveType::HeightMap) continue;
+        if (wave.type != WaveType::HeightMap && wave.type != WaveType::Phillips) continue;
         if (maps.size() == _frames.size())
-            throw InputError(
-                fmt::format("water.wave: expected at most {} height maps, found more", _frames.size()));
-        const FramePair pair = framesAt(wave.heights->frameCount(), wave.fps, time);
-        Frames& frames = _frames[maps.size()];
-        const auto unit = GLuint(2 * maps.size());
-        hold(frames, wave.heights, pair.first, pair.second).spline.bind(unit);
-        hold(frames, wave.heights, pair.second, pair.first).spline.bind(unit + 1);
-        maps.push_back(heightMapData(wave, origin, pair.share));
+            throw InputError(fmt::format(
+                "water.wave: expected at most {} height maps and spectra, found more", _frames.size()));
+        maps.push_back(wave.type == WaveType::Phillips ? bindSpectrum(wave, maps.size(), origin, time)
+                                                       : bindFrames(wave, maps.size(), origin, time));
     }
-    for (std::size_t i = maps.size(); i < _frames.size(); ++i)
+    for (std::size_t i = maps.size(); i < _frames.size(); ++i) {
         _frames[i] = {};
+        _tiles[i] = {};
+    }
     return maps;
 }
 

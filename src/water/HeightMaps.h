@@ -8,6 +8,7 @@
 #include "gl/Context.h"
 #include "gl/Handles.h"
 #include "scene/Scene.h"
+#include "water/SpectralWaves.h"
 
 namespace limpid {
 
@@ -24,15 +25,18 @@ FramePair framesAt(int frameCount, double fps, double time);
 struct HeightMapData {
     glm::vec4 place{0};  ///< corner x, z, m from the scene's origin; texels a metre along x and z
     glm::vec2 shares{0}; ///< m for one unit of the first frame and of the second
+    bool tiled = false;  ///< repeats without end
 };
 
 /// The frames that are to be seen of each height map, as textures: coefficients of a B-spline (HeightField),
-/// R32F, row 0 at the smallest z. A frame that is there from the call before is not loaded again.
+/// R32F, row 0 at the smallest z. A frame that is there from the call before is not loaded again. Spectra
+/// come as height maps that are made anew for each time, and are tiled.
 class HeightMaps {
   public:
     explicit HeightMaps(gl::Context& context) : _context(context) {}
 
-    /// Binds the frames of the i-th height map of `water` at `time` (s) to texture units 2i and 2i + 1.
+    /// Binds the frames of the i-th height map or spectrum of `water` at `time` (s) to texture units 2i and
+    /// 2i + 1.
     std::vector<HeightMapData> bind(const Water& water, const glm::dvec3& origin, double time);
 
   private:
@@ -47,8 +51,13 @@ class HeightMaps {
     /// need be.
     const Frame& hold(Frames& frames, const std::shared_ptr<HeightSource>& source, int index, int kept);
 
+    HeightMapData bindFrames(const Wave& wave, std::size_t number, const glm::dvec3& origin, double time);
+    HeightMapData bindSpectrum(const Wave& wave, std::size_t number, const glm::dvec3& origin, double time);
+
     gl::Context& _context;
     std::array<Frames, maxHeightMaps> _frames;
+    std::array<SpectralTile, maxHeightMaps> _tiles;
+    std::unique_ptr<SpectralWaves> _spectralWaves; ///< made for the first spectrum
 };
 
 } // namespace limpid

@@ -8,7 +8,17 @@ namespace limpid {
 
 namespace {
 
-enum Uniform { PatchMin, PatchSize, Quads, Level, WaveCount, FrameCount, HeightMapPlaces, FrameShares = 10 };
+enum Uniform {
+    PatchMin,
+    PatchSize,
+    Quads,
+    Level,
+    WaveCount,
+    FrameCount,
+    HeightMapPlaces,
+    FrameShares = 10,
+    Tiled = 18
+};
 constexpr int groupSize = 64;
 
 std::vector<std::uint32_t> gridTriangles(glm::ivec2 quads) {
@@ -47,6 +57,8 @@ void WaterSurface::resize(glm::ivec2 grid) {
 void WaterSurface::update(const Water& water, const WaterPatch& patch, const glm::dvec3& origin,
                           double time) {
     resize(patch.grid);
+    const std::vector<HeightMapData> maps =
+        _heightMaps.bind(water, origin, time); // may run passes of its own
     const auto terms = waveTerms(water, origin, time);
     const gl::Buffer waves(_context.ledger(), "waves", std::span<const WaveTermData>(terms));
     waves.bindStorage(0);
@@ -57,13 +69,13 @@ void WaterSurface::update(const Water& water, const WaterPatch& patch, const glm
     _program.set(Quads, patch.grid);
     _program.set(Level, float(water.level - origin.y));
     _program.set(WaveCount, int(terms.size()));
-    const std::vector<HeightMapData> maps = _heightMaps.bind(water, origin, time);
     _program.set(FrameCount, int(2 * maps.size()));
     for (int i = 0; i < int(maps.size()); ++i) {
         const HeightMapData& map = maps[std::size_t(i)];
         _program.set(HeightMapPlaces + i, map.place);
         _program.set(FrameShares + 2 * i, map.shares.x);
         _program.set(FrameShares + 2 * i + 1, map.shares.y);
+        _program.set(Tiled + i, map.tiled ? 1 : 0);
     }
     _program.dispatch(_mesh.vertexCount, groupSize);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT);

@@ -56,7 +56,8 @@ std::vector<WaveTermData> waveTerms(const Water& water, const glm::dvec3& origin
             terms.push_back(noiseTerm(wave, origin, time));
             break;
         case WaveType::HeightMap:
-            break; // a texture: water/HeightMaps.h
+        case WaveType::Phillips:
+            break; // textures: water/HeightMaps.h, water/SpectralWaves.h
         }
     }
     return terms;
@@ -68,6 +69,7 @@ double steepestSlope(const Wave& wave) {
         return std::abs(wave.amplitude) *
                glm::length(bounds.steepest * glm::dvec2(bounds.size) / glm::abs(wave.size));
     }
+    if (wave.type == WaveType::Phillips) return std::abs(wave.amplitude) * wave.spectrum->steepest;
     // Steepest slope of one octave of unit lattice and amplitude, found by search over all gradient choices
     // of a cell; each octave has half the height and half the length, so all are equally steep.
     constexpr double noiseSlope = 2.2;
@@ -77,12 +79,13 @@ double steepestSlope(const Wave& wave) {
 
 double highestWave(const Wave& wave) {
     if (wave.type == WaveType::HeightMap) return std::abs(wave.amplitude) * wave.heights->bounds().highest;
+    if (wave.type == WaveType::Phillips) return std::abs(wave.amplitude) * wave.spectrum->highest;
     return std::abs(wave.amplitude) * (wave.type == WaveType::Noise ? 2.1 : 1.0);
 }
 
 bool moves(const Water& water) {
     return std::any_of(water.waves.begin(), water.waves.end(), [](const Wave& wave) {
-        return wave.speed != 0 || (wave.heights && wave.heights->frameCount() > 1);
+        return wave.speed != 0 || wave.spectrum || (wave.heights && wave.heights->frameCount() > 1);
     });
 }
 

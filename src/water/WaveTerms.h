@@ -15,12 +15,13 @@ struct WaveTermData {
     glm::ivec4 cell{0};
 };
 
-/// The waves at `time` (s), without height maps, for positions relative to `origin` (m). What grows with time
-/// or distance is reduced in double precision here, so that a float has to hold one period at most.
+/// The waves at `time` (s), without height maps and spectra, for positions relative to `origin` (m). What
+/// grows with time or distance is reduced in double precision here, so that a float has to hold one period at
+/// most.
 std::vector<WaveTermData> waveTerms(const Water& water, const glm::dvec3& origin, double time);
 
 /// A bound on the surface's slope (rise over run) that no place and time exceeds; noise is bounded by what
-/// its lattice can reach, a height map by the coefficients of its first frame.
+/// its lattice can reach, a height map by the coefficients of its first frame, a spectrum as Spectrum has it.
 double steepestSlope(const Water& water);
 double steepestSlope(const Wave& wave);
 

@@ -196,7 +196,7 @@ TEST_F(HeightImagesTest, sceneErrorsNameTheKey) {
     std::string five;
     for (int i = 0; i < 5; ++i)
         five += placed + "image = \"h.exr\"\n";
-    EXPECT_EQ(sceneError(five), "scene.toml:3:1: water.wave: expected at most 4 height maps, found 5");
+    EXPECT_EQ(sceneError(five), "scene.toml:3:1: water.wave: expected at most 4 height maps and spectra, found 5");
 }
 
 } // namespace

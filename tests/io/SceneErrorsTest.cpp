@@ -60,9 +60,14 @@ const TextCase waterAndCamera[] = {
 };
 
 const TextCase waves[] = {
-    {"[[water.wave]]\ntype = \"phillips\"", "4:8: water.wave.0.type: expected \"cosine\", \"circular\", "
-                                            "\"noise\" or \"heightmap\" (phillips comes later), "
-                                            "found \"phillips\""},
+    {"[[water.wave]]\ntype = \"sine\"", "4:8: water.wave.0.type: expected \"cosine\", \"circular\", "
+                                        "\"noise\", \"heightmap\" or \"phillips\", found \"sine\""},
+    {"[[water.wave]]\ntype = \"phillips\"\nmodes = 48",
+     "5:9: water.wave.0.modes: expected a power of two, found 48"},
+    {"[[water.wave]]\ntype = \"phillips\"\nwind = [0.01, 0]",
+     "5:8: water.wave.0.wind: expected a wind that raises waves of 0.125 to 4 m, found [0.01, 0]"},
+    {"[[water.wave]]\ntype = \"phillips\"\nspeed = 1",
+     "5:1: water.wave.0.speed: unknown key of a phillips wave, did you mean \"seed\"?"},
     {"[[water.wave]]\nwavelength = 0",
      "4:14: water.wave.0.wavelength: expected a number > 0 and <= 1e12, found 0"},
     {"[[water.wave]]\ndirection = [0, 0]",

@@ -1,0 +1,71 @@
+// A line of the inverse Fourier transform that turns a spectrum into the coefficients of a bicubic B-spline through
+// the heights of its tile. Two passes: along x for each row of modes, then along z for each column of texels. A
+// group has one line; what the line has no mode for is 0.
+// In: modes as scene/Spectrum.h has them (WITH_TIME: the first pass, which lets them run), or the lines of the first
+// pass. Out: complex lines, or the tile, R32F: m for a root mean square of 1 m; texel i is at i cells.
+layout(local_size_x = 128) in;
+struct Mode {
+    vec2 amplitude;   // h0, complex, m
+    double frequency; // 1/s, turns
+};
+layout(std430, binding = 0) readonly buffer Modes { Mode modes[]; };
+layout(std430, binding = 1) readonly buffer Turns { vec2 turns[]; }; // e^(2πi n / texels), n below texels / 2
+layout(std430, binding = 2) buffer Lines { vec2 lines[]; };          // mode row by texel column
+layout(r32f, binding = 0) uniform writeonly image2D tile;
+layout(location = 0) uniform int side;   // modes
+layout(location = 1) uniform int texels; // of the tile's side, a power of two, at most 4096
+layout(location = 2) uniform double time; // s
+
+const float tau = 6.28318530717958648;
+shared vec2 line[4096];
+
+vec2 product(vec2 a, vec2 b) { return vec2(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x); }
+
+#ifdef WITH_TIME
+// h(k, t); the mode's partner -k is point-symmetric to it.
+vec2 modeAt(int column, int row) {
+    if (column == 0 || row == 0) return vec2(0.0);
+    Mode here = modes[row * side + column];
+    vec2 there = modes[(side - row) * side + side - column].amplitude * vec2(1.0, -1.0);
+    double turned = here.frequency * time;
+    float angle = tau * float(turned - floor(turned));
+    vec2 turn = vec2(cos(angle), sin(angle));
+    return product(here.amplitude, turn * vec2(1.0, -1.0)) + product(there, turn);
+}
+#endif
+
+void main() {
+    int number = int(gl_WorkGroupID.x), thread = int(gl_LocalInvocationID.x);
+    for (int i = thread; i < texels; i += 128) line[i] = vec2(0.0);
+    barrier();
+    int bits = findMSB(texels);
+    for (int mode = thread; mode < side; mode += 128) {
+        int wave = mode - side / 2;
+#ifdef WITH_TIME
+        vec2 value = modeAt(mode, number);
+#else
+        vec2 value = lines[mode * texels + number];
+#endif
+        // A spline through the samples of a wave has coefficients that are larger by what averaging takes from it.
+        value *= 6.0 / (4.0 + 2.0 * cos(tau * float(wave) / float(texels)));
+        line[bitfieldReverse(uint(wave & (texels - 1))) >> (32 - bits)] = value;
+    }
+    barrier();
+    // Cooley and Tukey 1965.
+    for (int stride = 1; stride < texels; stride *= 2) {
+        for (int i = thread; i < texels / 2; i += 128) {
+            int within = i & (stride - 1), at = 2 * i - within;
+            vec2 even = line[at], odd = product(line[at + stride], turns[within * (texels / 2 / stride)]);
+            line[at] = even + odd;
+            line[at + stride] = even - odd;
+        }
+        barrier();
+    }
+    for (int i = thread; i < texels; i += 128) {
+#ifdef WITH_TIME
+        lines[number * texels + i] = line[i];
+#else
+        imageStore(tile, ivec2(number, i), vec4(line[i].x));
+#endif
+    }
+}

@@ -1,0 +1,83 @@
+#include "water/SpectralWaves.h"
+
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+namespace limpid {
+
+namespace {
+
+enum Uniform { Side, Texels, Time };
+constexpr int groupSize = 128;
+
+struct ModeData {
+    glm::vec2 amplitude;
+    double frequency;
+};
+
+std::vector<ModeData> modesOf(const Spectrum& spectrum) {
+    std::vector<ModeData> modes;
+    for (int row = 0; row < spectrum.modes; ++row)
+        for (int column = 0; column < spectrum.modes; ++column) {
+            const std::complex<double>& h = spectrum.amplitudes[modes.size()];
+            const double turns = Spectrum::frequency(glm::length(spectrum.wavenumber(column, row)));
+            modes.push_back({{float(h.real()), float(h.imag())}, turns / (2 * std::numbers::pi)});
+        }
+    return modes;
+}
+
+std::vector<glm::vec2> turnsOf(int texels) {
+    std::vector<glm::vec2> turns;
+    for (int i = 0; i < texels / 2; ++i) {
+        const double angle = 2 * std::numbers::pi * i / texels;
+        turns.emplace_back(std::cos(angle), std::sin(angle));
+    }
+    return turns;
+}
+
+const std::string withTime[] = {"WITH_TIME"};
+
+} // namespace
+
+SpectralWaves::SpectralWaves(gl::Context& context)
+    : _context(context), _rows({"water/spectrum.comp"}, withTime), _columns({"water/spectrum.comp"}) {}
+
+void SpectralWaves::upload(SpectralTile& tile) {
+    const int texels = finer * tile.spectrum->modes;
+    gl::Ledger& ledger = _context.ledger();
+    const auto modes = modesOf(*tile.spectrum);
+    const auto turns = turnsOf(texels);
+    tile.modes = gl::Buffer(ledger, "spectrum", std::span<const ModeData>(modes));
+    tile.turns = gl::Buffer(ledger, "spectrum", std::span<const glm::vec2>(turns));
+    tile.lines = gl::Buffer(ledger, "spectrum",
+                            std::int64_t(tile.spectrum->modes) * texels * std::int64_t(sizeof(glm::vec2)));
+    tile.heights = gl::Texture(ledger, "spectrum", GL_R32F, glm::ivec2(texels));
+    tile.heights.setFilter(GL_NEAREST, GL_REPEAT);
+}
+
+void SpectralWaves::update(SpectralTile& tile, const std::shared_ptr<const Spectrum>& spectrum, double time) {
+    if (tile.spectrum != spectrum) {
+        tile = {};
+        tile.spectrum = spectrum;
+        upload(tile);
+    }
+    if (tile.time == time) return;
+    tile.time = time;
+    const int texels = tile.heights.size().x;
+    tile.modes.bindStorage(0);
+    tile.turns.bindStorage(1);
+    tile.lines.bindStorage(2);
+    tile.heights.bindImage(0, GL_WRITE_ONLY);
+    for (const gl::Program* pass : {&_rows, &_columns}) {
+        pass->set(Side, spectrum->modes);
+        pass->set(Texels, texels);
+        if (pass == &_rows) pass->set(Time, time);
+        const std::int64_t lines = pass == &_rows ? spectrum->modes : texels;
+        pass->dispatch(lines * groupSize, groupSize);
+        glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
+    }
+}
+
+} // namespace limpid
