@@ -141,7 +141,7 @@ std::vector<Series> combine(const io::Profile& profile, const std::vector<Subjec
 }
 
 bool drawsPlanes(Method method) {
-    return method != Method::ExactBeam;
+    return method != Method::ExactBeam && method != Method::PhotonSplat;
 }
 
 class Run {

@@ -105,6 +105,7 @@ void Engine::freeMaps() {
     _culling.free();
     _exactBeams.free();
     if (_volumetric) _volumetric->free();
+    if (_photonSplat) _photonSplat->free();
     _lightsReady = false;
     _causticsTime.reset();
 }
@@ -208,6 +209,9 @@ void Engine::drawSceneDepth(int index) {
 /// What a method needs to know of a receiver.
 void Engine::updateReceiver(ReceiverMaps& maps) {
     switch (_scene.caustics.method) {
+    case Method::PhotonSplat:
+        drawLevelMap(maps);
+        break;
     case Method::LevelMap:
         drawLevelMap(maps);
         updatePlaneDepths(maps);
@@ -319,7 +323,19 @@ void Engine::fill(ReceiverMaps& maps) {
         _volumetric->drawCaustics(maps.slices, maps.level, state.beams, _surface.mesh(), _scene.water);
         _volumetric->combine(maps.caustics, maps.level, maps.slices);
         break;
+    case Method::PhotonSplat:
+        splatPhotons(maps);
+        break;
     }
+}
+
+void Engine::splatPhotons(ReceiverMaps& maps) {
+    if (!_photonSplat) _photonSplat = std::make_unique<PhotonSplat>(_context);
+    Bounds wet;
+    for (const glm::dvec3& p : _submerged[std::size_t(maps.receiver)])
+        wet.add(p);
+    _photonSplat->fill(maps.caustics, {maps.level, _lights[std::size_t(maps.light)].beams, _surface.mesh(),
+                                       _patch, _origin, _scene, _scene.lights[std::size_t(maps.light)], wet});
 }
 
 FluxBalance Engine::auditFlux(int index) {

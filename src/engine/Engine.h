@@ -9,6 +9,7 @@
 #include "caustics/DrawnPlanes.h"
 #include "caustics/ExactBeams.h"
 #include "caustics/FluxAudit.h"
+#include "caustics/PhotonSplat.h"
 #include "caustics/PlaneBeams.h"
 #include "caustics/Volumetric.h"
 #include "engine/Skipped.h"
@@ -125,6 +126,7 @@ class Engine {
     void slice(LevelMap& map);
     void fill(ReceiverMaps& maps);
     void drawSlices(ReceiverMaps& maps);
+    void splatPhotons(ReceiverMaps& maps);
     void freeMaps();
     void drawSceneDepth(int light);
     void drawLampShadows();
@@ -144,7 +146,8 @@ class Engine {
     PlaneBeams _planeBeams;
     BeamCulling _culling;
     ExactBeams _exactBeams;
-    std::unique_ptr<Volumetric> _volumetric; ///< made when a scene asks for it
+    std::unique_ptr<Volumetric> _volumetric;   ///< made when a scene asks for it
+    std::unique_ptr<PhotonSplat> _photonSplat; ///< likewise
     FluxAudit _fluxAudit;
     std::unique_ptr<PicturePass> _picturePass;       ///< made for the first picture: a bake needs none
     std::unique_ptr<LampShadowPass> _lampShadowPass; ///< made for the first lamp under water in one

@@ -274,6 +274,17 @@ Receiver parseReceiver(TomlTable table, std::size_t number, Names& taken, const 
     return receiver;
 }
 
+void parsePhotons(TomlTable& table, CausticsSettings& caustics) {
+    std::array<std::int64_t, 2> grid = {caustics.photonGrid.x, caustics.photonGrid.y};
+    table.wholeNumbers("photon_grid", grid, 1, 8192);
+    caustics.photonGrid = {static_cast<int>(grid[0]), static_cast<int>(grid[1])};
+    parseWhole(table, "photon_subdivision", caustics.photonSubdivision, 1, 16);
+    table.vector("splat_size", caustics.splatSize, {.min = 1, .max = 256, .text = " from 1 to 256"});
+    if (caustics.splatSize.x > caustics.splatSize.y) table.fail("splat_size", "the smaller size first");
+    parseWhole(table, "filter_taps", caustics.filterTaps, 0, 32);
+    table.number("filter_radius", caustics.filterRadius, {.min = 0, .max = 64, .text = " from 0 to 64"});
+}
+
 CausticsSettings parseCaustics(TomlTable table) {
     CausticsSettings caustics;
     std::vector<std::string_view> methods{methodName(caustics.method)};
@@ -292,6 +303,7 @@ CausticsSettings parseCaustics(TomlTable table) {
     parseWhole(table, "depth_levels", caustics.depthLevels, 1, 4096);
     table.number("threshold", caustics.threshold,
                  {.min = 0, .max = 1, .openMin = true, .text = " > 0 and <= 1"});
+    parsePhotons(table, caustics);
     table.finish();
     return caustics;
 }

@@ -4,7 +4,8 @@ namespace limpid {
 
 namespace {
 constexpr Fill fills[] = {Fill::Drawn, Fill::OnePass};
-constexpr Method methods[] = {Method::LevelMap, Method::LevelMapSmart, Method::ExactBeam, Method::Volumetric};
+constexpr Method methods[] = {Method::LevelMap, Method::LevelMapSmart, Method::ExactBeam, Method::Volumetric,
+                              Method::PhotonSplat};
 } // namespace
 
 std::span<const Method> allMethods() {
@@ -21,6 +22,8 @@ std::string_view methodName(Method method) {
         return "exact-beam";
     case Method::Volumetric:
         return "volumetric";
+    case Method::PhotonSplat:
+        return "photon-splat";
     }
     return "";
 }

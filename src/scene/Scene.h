@@ -94,7 +94,7 @@ struct Receiver {
     glm::dvec3 toWorld(const glm::dvec3& local) const { return translation + rotation * (scale * local); }
 };
 
-enum class Method { LevelMap, LevelMapSmart, ExactBeam, Volumetric };
+enum class Method { LevelMap, LevelMapSmart, ExactBeam, Volumetric, PhotonSplat };
 enum class Slicing { Automatic, Levels };
 /// How the level map methods come to their light: planes drawn one after another, or beams walked in one
 /// pass.
@@ -108,6 +108,12 @@ struct CausticsSettings {
     Slicing slicing = Slicing::Automatic;
     int depthLevels = 64;    ///< Slicing::Levels: intervals of the depth histogram, [1, 4096]
     double threshold = 0.01; ///< Slicing::Levels: acceptance threshold ε, of the box's height, (0, 1]
+    // What follows is of photon splats, with the paper's settings.
+    glm::ivec2 photonGrid{200, 200}; ///< cells over the water that lights a receiver, [1, 8192]
+    int photonSubdivision = 2;       ///< photons along a side of a cell, [1, 16]
+    glm::dvec2 splatSize{5, 20};     ///< texels: at the most and at the least metres of water; >= 1, rising
+    int filterTaps = 8;              ///< [0, 32]; 0: no filter
+    double filterRadius = 2;         ///< texels, [0, 64]
 };
 
 struct Scene {

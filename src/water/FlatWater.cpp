@@ -75,6 +75,14 @@ std::vector<glm::dvec3> outermost(const Bounds& box, const Light& light) {
     return points;
 }
 
+/// From where rays of a light, bent by any slope there may be, reach a box below the level.
+void addStarts(Bounds& starts, const Light& light, const Water& water, const Bounds& wet,
+               const std::vector<glm::dvec3>& normals) {
+    for (const Light& part : partsOf(light))
+        for (const glm::dvec3& point : outermost(wet, light))
+            if (entersWater(part, water)) addStarts(starts, part, water, point, normals);
+}
+
 } // namespace
 
 bool entersWater(const Light& light, const Water& water) {
@@ -123,9 +131,7 @@ WaterPatch coveringPatch(const Scene& scene) {
     if (!wet.empty() && wet.min.y < water.level) {
         const auto normals = possibleNormals(steepestSlope(water));
         for (const Light& light : scene.lights)
-            for (const Light& part : partsOf(light))
-                for (const glm::dvec3& point : outermost(wet, light))
-                    if (entersWater(part, water)) addStarts(starts, part, water, point, normals);
+            addStarts(starts, light, water, wet, normals);
         starts.add({wet.min.x, water.level, wet.min.z}), starts.add({wet.max.x, water.level, wet.max.z});
     } else {
         starts.add({-1, 0, -1}), starts.add({1, 0, 1});
@@ -142,6 +148,17 @@ WaterPatch coveringPatch(const Scene& scene) {
     patch.size =
         water.size.value_or(size * (1.0 + 2.0 / glm::dvec2(water.grid)) + 1e-3 * std::max(size.x, size.y));
     return patch;
+}
+
+WaterPatch lightingPatch(const Water& water, const Light& light, const Bounds& wet, const WaterPatch& patch) {
+    Bounds starts;
+    if (!wet.empty()) addStarts(starts, light, water, wet, possibleNormals(steepestSlope(water)));
+    if (starts.empty()) return patch;
+    const double lift = 2 * highestWave(water);
+    const glm::dvec2 low = glm::max(glm::dvec2(starts.min.x, starts.min.z) - lift, patch.min());
+    const glm::dvec2 high = glm::min(glm::dvec2(starts.max.x, starts.max.z) + lift, patch.min() + patch.size);
+    if (high.x <= low.x || high.y <= low.y) return patch;
+    return {0.5 * (low + high), high - low, patch.grid};
 }
 
 } // namespace limpid

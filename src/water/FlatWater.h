@@ -39,4 +39,8 @@ struct WaterPatch {
 /// world.
 WaterPatch coveringPatch(const Scene& scene);
 
+/// The part of `patch` from which one light may reach a box below the level (in the world): all of it where
+/// the light reaches none.
+WaterPatch lightingPatch(const Water& water, const Light& light, const Bounds& wet, const WaterPatch& patch);
+
 } // namespace limpid

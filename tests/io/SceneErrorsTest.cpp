@@ -141,9 +141,11 @@ const TextCase receivers[] = {
 };
 
 const TextCase settings[] = {
-    {"[caustics]\nmethod = \"photon-splat\"",
-     "4:10: caustics.method: expected \"exact-beam\", \"level-map\", \"level-map-smart\" or "
-     "\"volumetric\" (the methods there are so far), found \"photon-splat\""},
+    {"[caustics]\nmethod = \"stencil\"",
+     "4:10: caustics.method: expected \"exact-beam\", \"level-map\", \"level-map-smart\", "
+     "\"volumetric\" or \"photon-splat\" (the methods there are so far), found \"stencil\""},
+    {"[caustics]\nsplat_size = [20, 5]",
+     "4:14: caustics.splat_size: expected the smaller size first, found [20, 5]"},
     {"[caustics]\nfill = \"painted\"",
      "4:8: caustics.fill: expected \"one-pass\" or \"drawn\", found \"painted\""},
     {"[caustics]\nmap_size = 16385",

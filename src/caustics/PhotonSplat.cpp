@@ -1,0 +1,146 @@
+#include "caustics/PhotonSplat.h"
+
+#include <algorithm>
+
+#include "caustics/FluxSums.h"
+#include "water/FlatWater.h"
+
+namespace limpid {
+
+namespace {
+
+enum CastUniform {
+    PatchRect,
+    Quads,
+    PhotonRect,
+    Cells,
+    Subdivision,
+    StepsPerFlux,
+    ExtinctionPerMetre,
+    CastChannels,
+    Splat,
+    TestSurfaceShadow
+};
+enum FilterUniform { FilterChannels, Taps, Radius };
+enum ResolveUniform { WattsPerStep, Channels, Filtered };
+constexpr int groupSize = 64;
+constexpr glm::ivec2 mapGroupSize{8, 8};
+
+/// As for exact beams: rounding is lost in a float.
+constexpr double stepsPerTexel = 1 << 22;
+
+/// What one unit of flux is spread over, in its unit (m² or sr), where nothing focuses.
+double unfocusedFlux(const LevelMap& map, const Light& light) {
+    const double area = map.frame.texelArea();
+    if (light.type == LightType::Directional) return area;
+    const glm::dvec3 away = map.frame.box.center() - light.position;
+    return area / std::max(glm::dot(away, away), 1e-12);
+}
+
+glm::vec4 rectOf(const WaterPatch& patch, const glm::dvec3& origin) {
+    return glm::vec4(patch.min() - glm::dvec2(origin.x, origin.z), patch.size);
+}
+
+/// a, b, least and greatest size of the splats of a receiver, texels.
+glm::vec4 splatOf(const PhotonSplat::Inputs& inputs) {
+    double nearest = 1e300, farthest = 0;
+    for (int i = 0; i < 8; ++i) {
+        const glm::dvec3 corner(i & 1 ? inputs.wet.max.x : inputs.wet.min.x,
+                                i & 2 ? inputs.wet.max.y : inputs.wet.min.y,
+                                i & 4 ? inputs.wet.max.z : inputs.wet.min.z);
+        const double metres = glm::distance(corner, entryPoint(inputs.light, inputs.scene.water, corner));
+        nearest = std::min(nearest, metres);
+        farthest = std::max(farthest, metres);
+    }
+    const glm::dvec2 sizes = inputs.scene.caustics.splatSize;
+    return {glm::vec2(splatSizes(sizes, nearest, farthest)), glm::vec2(sizes)};
+}
+
+} // namespace
+
+glm::dvec2 splatSizes(const glm::dvec2& sizes, double nearest, double farthest) {
+    // What touches the water has no nearest distance to speak of.
+    nearest = std::max(nearest, 0.01 * farthest);
+    const double across = 1 / nearest - 1 / farthest;
+    if (!(across * farthest > 1e-3)) return {sizes.x, 0};
+    const double b = (sizes.y - sizes.x) / across;
+    return {sizes.x - b / farthest, b};
+}
+
+PhotonSplat::PhotonSplat(gl::Context& context)
+    : _context(context), _cast({"caustics/photon_splat.comp"}), _filter({"caustics/photon_filter.comp"}),
+      _resolve({"caustics/photon_resolve.comp"}) {}
+
+/// The two behind the texels' are what photon_filter.comp counts.
+void PhotonSplat::reserveSums(std::int64_t count, bool filtered) {
+    for (gl::Buffer* sums : {&_splats, &_sums}) {
+        if (sums->bytes() >= 8 * count || (sums == &_splats && !filtered)) continue;
+        *sums = gl::Buffer(_context.ledger(), "flux sums", 8 * count);
+        sums->clearToZero();
+    }
+}
+
+void PhotonSplat::cast(const Inputs& inputs, int channels, double stepsPerFlux) {
+    const CausticsSettings& settings = inputs.scene.caustics;
+    const Water& water = inputs.scene.water;
+    const WaterPatch photons = lightingPatch(water, inputs.light, inputs.wet, inputs.patch);
+    inputs.beams.frame.bindUniform(0);
+    inputs.map.position.bind(0);
+    inputs.map.diffuse.bind(1);
+    if (inputs.beams.surfaceShadow) inputs.beams.surfaceShadow->bind(surfaceShadowUnit);
+    inputs.surface.indices.bindStorage(0);
+    inputs.beams.origins.bindStorage(3);
+    inputs.beams.directions.bindStorage(4);
+    inputs.beams.flux.bindStorage(5);
+    _cast.set(PatchRect, rectOf(inputs.patch, inputs.origin));
+    _cast.set(Quads, inputs.surface.quads);
+    _cast.set(PhotonRect, rectOf(photons, inputs.origin));
+    _cast.set(Cells, settings.photonGrid);
+    _cast.set(Subdivision, settings.photonSubdivision);
+    _cast.set(StepsPerFlux, float(stepsPerFlux));
+    _cast.set(ExtinctionPerMetre, glm::vec3(water.absorption + water.scattering));
+    _cast.set(CastChannels, channels);
+    _cast.set(Splat, splatOf(inputs));
+    _cast.set(TestSurfaceShadow, inputs.beams.surfaceShadow ? 1 : 0);
+    _cast.dispatch(std::int64_t(settings.photonGrid.x) * settings.photonGrid.y, groupSize);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+}
+
+void PhotonSplat::filter(const Inputs& inputs, int channels) {
+    _splats.bindStorage(9);
+    _sums.bindStorage(8);
+    _filter.set(FilterChannels, channels);
+    _filter.set(Taps, inputs.scene.caustics.filterTaps);
+    _filter.set(Radius, float(inputs.scene.caustics.filterRadius));
+    _filter.dispatch2D(inputs.map.frame.size, mapGroupSize);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+}
+
+void PhotonSplat::fill(CausticMap& caustics, const Inputs& inputs) {
+    caustics.resize(_context, inputs.map.frame.size);
+    const glm::ivec2 size = inputs.map.frame.size;
+    const int channels = isGrey(inputs.scene.water.absorption + inputs.scene.water.scattering) ? 1 : 3;
+    const bool filtered = inputs.scene.caustics.filterTaps > 0;
+    reserveSums((std::int64_t(size.x) * size.y + 2) * channels, filtered);
+    const double perStep = unfocusedFlux(inputs.map, inputs.light) / stepsPerTexel;
+    inputs.map.box.bindUniform(1);
+    inputs.map.normal.bind(2);
+    (filtered ? _splats : _sums).bindStorage(8);
+    if (inputs.beams.strength != glm::dvec3(0)) {
+        cast(inputs, channels, 1 / perStep);
+        if (filtered) filter(inputs, channels);
+    }
+    inputs.map.normal.bind(0);
+    caustics.irradiance.bindImage(0, GL_WRITE_ONLY);
+    _sums.bindStorage(8);
+    _resolve.set(WattsPerStep, glm::vec3(inputs.beams.strength * (perStep / inputs.map.frame.texelArea())));
+    _resolve.set(Channels, channels);
+    _resolve.set(Filtered, filtered ? 1 : 0);
+    _resolve.dispatch2D(size, mapGroupSize);
+    glMemoryBarrier(GL_ALL_BARRIER_BITS);
+    if (!filtered) return;
+    _splats.clearToZero();
+    _sums.clearToZero();
+}
+
+} // namespace limpid

@@ -1,0 +1,52 @@
+#pragma once
+#include "caustics/CausticMap.h"
+#include "gl/Program.h"
+#include "levelmap/LevelMap.h"
+#include "scene/Scene.h"
+#include "water/Beams.h"
+
+namespace limpid {
+
+/// Photons on a grid, refracted once, intersected with what the light sees, and drawn as splats (Papadopoulos
+/// and Papaioannou 2009, 3.1 to 3.3 and 3.5), into a receiver's map seen from its box. What is ours: a photon
+/// carries the watts of its piece of the surface, so that the map is irradiance; a splat and the filter give
+/// their light to the surface that it fell on and to nothing beside it; sums are integers.
+///
+/// In the paper a splat's size follows the distance from the viewer. A map is seen along the light, from the
+/// water: d of s = a + b/d is metres of water.
+class PhotonSplat {
+  public:
+    explicit PhotonSplat(gl::Context& context);
+
+    struct Inputs {
+        const LevelMap& map;
+        const Beams& beams; ///< of the level map's light
+        const WaterMesh& surface;
+        const WaterPatch& patch; ///< that the surface covers, in the world
+        const glm::dvec3& origin;
+        const Scene& scene; ///< its settings and water
+        const Light& light;
+        const Bounds& wet; ///< of the receiver below the level, in the world
+    };
+    /// Overwrites `caustics`.
+    void fill(CausticMap& caustics, const Inputs& inputs);
+    /// Gives back its memory until the next fill.
+    void free() {
+        _splats = {};
+        _sums = {};
+    }
+
+  private:
+    void reserveSums(std::int64_t count, bool filtered);
+    void cast(const Inputs& inputs, int channels, double stepsPerFlux);
+    void filter(const Inputs& inputs, int channels);
+    gl::Context& _context;
+    gl::Program _cast, _filter, _resolve;
+    gl::Buffer _splats, _sums; ///< zero between maps
+};
+
+/// What `s = a + b / d` (Papadopoulos 3.3) has for a and b so that the size is `sizes.y` at `nearest` metres
+/// and `sizes.x` at `farthest`. Where both are one distance: the smaller size everywhere.
+glm::dvec2 splatSizes(const glm::dvec2& sizes, double nearest, double farthest);
+
+} // namespace limpid
