@@ -15,16 +15,6 @@ const int steps = 96;
 const int halvings = 14;
 const float nothing = 1e29;
 
-// x: metres that the point lies before what the mean light through it hits first; y: metres to that hit.
-vec2 beforeFirst(vec3 point) {
-    vec3 entry = entryPoint(point);
-    vec2 uv = sceneDepthUv(entry);
-    if (any(lessThan(uv, vec2(0.0))) || any(greaterThan(uv, vec2(1.0)))) return vec2(1e30);
-    ivec2 size = textureSize(sceneDepth, 0);
-    float first = texelFetch(sceneDepth, min(ivec2(uv * vec2(size)), size - 1), 0).x;
-    return vec2(first - length(point - entry) * sign(waterSurface.x - point.y), first);
-}
-
 vec4 land(vec3 from, vec3 direction) {
     float reach = farthest * 1.5;
     float low = 0.0;

@@ -4,18 +4,10 @@
 // splat that show the surface it landed on, so that none of it is lost over an edge.
 // In: beams, level map. Out: flux sums.
 #include "include/photon_place.glsl"
+#include "include/photon_ray.glsl"
 #include "include/surface_shadow.glsl"
 #include "include/flux_sums.glsl"
 layout(local_size_x = 64) in;
-layout(std430, binding = 0) readonly buffer Indices { uint indices[]; };
-layout(std430, binding = 3) readonly buffer BeamOrigins { vec4 origins[]; };
-layout(std430, binding = 4) readonly buffer BeamDirections { vec4 directions[]; };
-layout(std430, binding = 5) readonly buffer BeamFlux { float flux[]; };
-layout(location = 0) uniform vec4 patchRect;     // x, z of a corner and extents of the beams' grid, m
-layout(location = 1) uniform ivec2 quads;        // of it
-layout(location = 2) uniform vec4 photonRect;    // of the photon grid, likewise
-layout(location = 3) uniform ivec2 cells;        // of it
-layout(location = 4) uniform int subdivision;    // photons along a side of a cell
 layout(location = 5) uniform float stepsPerFlux;
 layout(location = 6) uniform vec3 extinctionPerMetre;
 layout(location = 7) uniform int channels;       // 1 or 3
@@ -25,37 +17,10 @@ layout(location = 9) uniform int testSurfaceShadow;
 const int newtonSteps = 8;
 const int marchSteps = 64, halvings = 12;
 
-struct Photon {
-    vec3 origin, direction; // in the box, m and unit
-    vec3 from;              // m from the scene's origin
-    float flux;             // in the unit of beams
+// A photon in the box.
+struct Ray {
+    vec3 origin, direction; // m, unit
 };
-
-// Quads are cut as in water/WaterSurface.cpp.
-Photon photonAt(vec2 xz, float cellArea) {
-    vec2 at = clamp((xz - patchRect.xy) / patchRect.zw * vec2(quads), vec2(0.0), vec2(quads) - 1e-4);
-    ivec2 quad = min(ivec2(at), quads - 1);
-    vec2 f = at - vec2(quad);
-    vec3 w;
-    bool first;
-    if (((quad.x + quad.y) & 1) == 0) {
-        first = f.x + f.y < 1.0;                            // a c b, then b c d
-        w = first ? vec3(1.0 - f.x - f.y, f.y, f.x) : vec3(1.0 - f.y, 1.0 - f.x, f.x + f.y - 1.0);
-    } else {
-        first = f.x < f.y;                                  // a c d, then a d b
-        w = first ? vec3(1.0 - f.y, f.y - f.x, f.x) : vec3(1.0 - f.x, f.y, f.x - f.y);
-    }
-    int triangle = 2 * (quad.y * quads.x + quad.x) + (first ? 0 : 1);
-    vec3 from = vec3(0.0), direction = vec3(0.0);
-    for (int i = 0; i < 3; ++i) {
-        uint vertex = indices[3 * triangle + i];
-        from += w[i] * origins[vertex].xyz;
-        direction += w[i] * directions[vertex].xyz;
-    }
-    vec2 quadSize = patchRect.zw / vec2(quads);
-    float share = cellArea / (0.5 * quadSize.x * quadSize.y);
-    return Photon(boxLocal(from), normalize(boxDirection(direction)), from, flux[triangle] * share);
-}
 
 struct Landing {
     float metres; // from the surface; below 0: none
@@ -66,40 +31,40 @@ const Landing nowhere = Landing(-1.0, ivec2(0));
 ivec2 texelOf(vec3 q) { return ivec2(floor(q.xy / boxExtent.w)); }
 
 // The intersection with the plane of the texel that the last guess fell on is the next guess.
-Landing byNewton(Photon photon) {
-    float t = (0.5 * boxExtent.z - photon.origin.z) / photon.direction.z;
+Landing byNewton(Ray ray) {
+    float t = (0.5 * boxExtent.z - ray.origin.z) / ray.direction.z;
     for (int i = 0; i < newtonSteps; ++i) {
-        ivec2 texel = texelOf(photon.origin + t * photon.direction);
+        ivec2 texel = texelOf(ray.origin + t * ray.direction);
         TexelPlane plane = planeAt(texel);
         if (!plane.lit) return nowhere;
-        float above = metresAbove(plane, texel, photon.origin + t * photon.direction);
-        float closing = photon.direction.z - dot(plane.rise, photon.direction.xy);
+        float above = metresAbove(plane, texel, ray.origin + t * ray.direction);
+        float closing = ray.direction.z - dot(plane.rise, ray.direction.xy);
         if (closing < 0.02) return nowhere;
         t += above / closing;
         if (t <= 0.0) return nowhere;
-        if (abs(above) < 1e-2 * boxExtent.w && texelOf(photon.origin + t * photon.direction) == texel) return Landing(t, texel);
+        if (abs(above) < 1e-2 * boxExtent.w && texelOf(ray.origin + t * ray.direction) == texel) return Landing(t, texel);
     }
     return nowhere;
 }
 
 // Where Newton's iteration does not settle: in steps, until the ray passes from above the surface into it.
-Landing byMarch(Photon photon) {
-    float start = max(-0.01 * boxExtent.z - photon.origin.z, 0.0) / photon.direction.z;
-    float end = (1.01 * boxExtent.z - photon.origin.z) / photon.direction.z;
+Landing byMarch(Ray ray) {
+    float start = max(-0.01 * boxExtent.z - ray.origin.z, 0.0) / ray.direction.z;
+    float end = (1.01 * boxExtent.z - ray.origin.z) / ray.direction.z;
     float low = start;
     for (int i = 1; i <= marchSteps; ++i) {
         float high = mix(start, end, float(i) / float(marchSteps));
-        ivec2 texel = texelOf(photon.origin + high * photon.direction);
+        ivec2 texel = texelOf(ray.origin + high * ray.direction);
         TexelPlane plane = planeAt(texel);
-        if (plane.lit && metresAbove(plane, texel, photon.origin + high * photon.direction) <= 0.0) {
+        if (plane.lit && metresAbove(plane, texel, ray.origin + high * ray.direction) <= 0.0) {
             for (int k = 0; k < halvings; ++k) {
                 float middle = 0.5 * (low + high);
-                ivec2 there = texelOf(photon.origin + middle * photon.direction);
+                ivec2 there = texelOf(ray.origin + middle * ray.direction);
                 TexelPlane at = planeAt(there);
-                if (at.lit && metresAbove(at, there, photon.origin + middle * photon.direction) <= 0.0) high = middle, texel = there, plane = at;
+                if (at.lit && metresAbove(at, there, ray.origin + middle * ray.direction) <= 0.0) high = middle, texel = there, plane = at;
                 else low = middle;
             }
-            float under = -metresAbove(plane, texel, photon.origin + high * photon.direction);
+            float under = -metresAbove(plane, texel, ray.origin + high * ray.direction);
             // A jump is an edge that the ray passes behind, and lands on it or not with what comes further down.
             if (under < 4.0 * boxExtent.w * (1.0 + length(plane.rise))) return Landing(high, texel);
         }
@@ -111,9 +76,9 @@ Landing byMarch(Photon photon) {
 float overlap(float low, float high, int texel) { return clamp(min(high, float(texel + 1)) - max(low, float(texel)), 0.0, 1.0); }
 
 // Adds a photon to the texels of its splat that show the same surface.
-void deposit(Photon photon, Landing landing) {
+void deposit(Photon photon, Ray ray, Landing landing) {
     float size = clamp(splat.x + splat.y / max(landing.metres, 1e-9), splat.z, splat.w);
-    vec2 middle = (photon.origin.xy + landing.metres * photon.direction.xy) / boxExtent.w;
+    vec2 middle = (ray.origin.xy + landing.metres * ray.direction.xy) / boxExtent.w;
     vec2 low = middle - 0.5 * size, high = middle + 0.5 * size;
     ivec2 first = ivec2(floor(low)), last = ivec2(floor(high));
     TexelPlane plane = planeAt(landing.texel);
@@ -139,15 +104,12 @@ void deposit(Photon photon, Landing landing) {
 void main() {
     int cell = int(gl_GlobalInvocationID.y * gl_NumWorkGroups.x * gl_WorkGroupSize.x + gl_GlobalInvocationID.x);
     if (cell >= cells.x * cells.y) return;
-    vec2 photons = vec2(cells * subdivision);
-    float area = photonRect.z * photonRect.w / (photons.x * photons.y);
-    ivec2 corner = ivec2(cell % cells.x, cell / cells.x) * subdivision;
     for (int i = 0; i < subdivision * subdivision; ++i) {
-        vec2 place = (vec2(corner + ivec2(i % subdivision, i / subdivision)) + 0.5) / photons;
-        Photon photon = photonAt(photonRect.xy + place * photonRect.zw, area);
-        if (photon.flux <= 0.0 || photon.direction.z < 0.02) continue;
-        Landing landing = byNewton(photon);
-        if (landing.metres < 0.0) landing = byMarch(photon);
-        if (landing.metres >= 0.0) deposit(photon, landing);
+        Photon photon = photonOf(cell, i);
+        Ray ray = Ray(boxLocal(photon.from), boxDirection(photon.direction));
+        if (photon.flux <= 0.0 || ray.direction.z < 0.02) continue;
+        Landing landing = byNewton(ray);
+        if (landing.metres < 0.0) landing = byMarch(ray);
+        if (landing.metres >= 0.0) deposit(photon, ray, landing);
     }
 }

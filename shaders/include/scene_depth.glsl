@@ -19,6 +19,16 @@ float sceneDepthTexel() {
     return max(texel.x, texel.y);
 }
 
+// x: metres that the point lies before what the mean light through it hits first; y: metres to that hit.
+vec2 beforeFirst(vec3 point) {
+    vec3 entry = entryPoint(point);
+    vec2 uv = sceneDepthUv(entry);
+    if (any(lessThan(uv, vec2(0.0))) || any(greaterThan(uv, vec2(1.0)))) return vec2(1e30);
+    ivec2 size = textureSize(sceneDepth, 0);
+    float first = texelFetch(sceneDepth, min(ivec2(uv * vec2(size)), size - 1), 0).x;
+    return vec2(first - length(point - entry) * sign(waterSurface.x - point.y), first);
+}
+
 // The share of the mean light that reaches `point`, [0, 1]: the four nearest texels of the map, each asked whether
 // something lies before the point's tangent plane along its own ray, weighted bilinearly. The plane takes the
 // surface's slope out of the comparison; what remains is its curvature, and for the receiver itself

@@ -25,6 +25,10 @@ void addCommonOptions(CLI::App& command, CommonOptions& options) {
     command.add_option(
         "--fill", options.fill,
         fmt::format("how the level map methods come to their light: {}", fmt::join(fills, ", ")));
+    command.add_option("--godrays", options.godrays,
+                       fmt::format("how light scattered by the water is drawn, seen from below: {}, {}",
+                                   godrayMethodName(GodrayMethod::None),
+                                   godrayMethodName(GodrayMethod::PhotonLines)));
     command.add_option("--planes", options.planes, "reference planes of a box, before slicing drops any");
     command.add_option("--map-size", options.mapSize, "texels on the longer side of a map");
     command.add_option("--set", options.settings, "KEY=VALUE: change any key of the scene (repeatable)")
@@ -48,6 +52,7 @@ Scene loadScene(const CommonOptions& options) {
     }
     if (!options.method.empty()) overrides.push_back({"caustics.method", options.method});
     if (!options.fill.empty()) overrides.push_back({"caustics.fill", options.fill});
+    if (!options.godrays.empty()) overrides.push_back({"godrays.method", options.godrays});
     if (options.planes) overrides.push_back({"caustics.planes", std::to_string(*options.planes)});
     if (options.mapSize) overrides.push_back({"caustics.map_size", std::to_string(*options.mapSize)});
     return io::loadScene(options.input, overrides);

@@ -17,6 +17,7 @@ struct CommonOptions {
     std::string input;
     std::string method;
     std::string fill;
+    std::string godrays;
     std::optional<int> planes;
     std::optional<int> mapSize;
     std::vector<std::string> settings; ///< KEY=VALUE

@@ -28,6 +28,7 @@ using namespace glm;
 #include "include/beam_area.glsl"
 #include "include/octahedral.glsl"
 #include "include/optics.glsl"
+#include "include/phase.glsl"
 #include "include/planes.glsl"
 #include "include/spline.glsl"
 #include "include/water_grid.glsl"

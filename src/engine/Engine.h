@@ -15,6 +15,7 @@
 #include "engine/Skipped.h"
 #include "gl/Context.h"
 #include "gl/TimerQuery.h"
+#include "godrays/PhotonLines.h"
 #include "levelmap/LampShadow.h"
 #include "levelmap/LevelMap.h"
 #include "levelmap/PlaneDepths.h"
@@ -130,6 +131,7 @@ class Engine {
     void freeMaps();
     void drawSceneDepth(int light);
     void drawLampShadows();
+    const gl::Texture* drawGodrays(glm::ivec2 size);
     bool needsSceneDepth(int light) const;
 
     gl::Context& _context;
@@ -149,6 +151,7 @@ class Engine {
     std::unique_ptr<Volumetric> _volumetric;   ///< made when a scene asks for it
     std::unique_ptr<PhotonSplat> _photonSplat; ///< likewise
     FluxAudit _fluxAudit;
+    std::unique_ptr<PhotonLines> _photonLines;       ///< made for the first picture that shows some
     std::unique_ptr<PicturePass> _picturePass;       ///< made for the first picture: a bake needs none
     std::unique_ptr<LampShadowPass> _lampShadowPass; ///< made for the first lamp under water in one
 

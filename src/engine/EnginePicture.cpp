@@ -29,6 +29,31 @@ std::vector<bool> Engine::shownMaps(glm::ivec2 size) {
     return shown;
 }
 
+/// Null where nothing is scattered, or not by a method that is there; seen from above, likewise.
+const gl::Texture* Engine::drawGodrays(glm::ivec2 size) {
+    const bool wanted = _scene.godrays.method == GodrayMethod::PhotonLines;
+    if (!wanted || _scene.water.scattering == glm::dvec3(0)) return nullptr;
+    const ViewFrameData frame = viewFrame(_scene, _origin, _patch, _surface.mesh(), _sides, size);
+    if (frame.cameraAbove()) return nullptr;
+    std::vector<SceneDepth> own(_lights.size()); // of lights whose maps do without one, and are to go on so
+    std::vector<PhotonLines::Source> sources;
+    for (std::size_t i = 0; i < _lights.size(); ++i) {
+        if (isDark(int(i))) continue;
+        LightState& state = _lights[i];
+        const bool there = state.sceneDepth.first.id() != 0;
+        if (!there) {
+            drawSceneDepth(int(i));
+            own[i] = std::move(state.sceneDepth);
+            state.sceneDepth = {};
+        }
+        sources.push_back({state.beams, there ? state.sceneDepth : own[i], state.farthest});
+    }
+    if (!_photonLines) _photonLines = std::make_unique<PhotonLines>(_context);
+    Scope scope(_timers, "godrays");
+    const PhotonLines::Camera camera{frame.viewProjection, glm::vec3(frame.cameraPosition), size};
+    return &_photonLines->draw({_scene, _surface.mesh(), _patch, _origin, _receivers, sources, camera});
+}
+
 Picture Engine::render(double time, glm::ivec2 size) {
     updateSurface(time);
     const std::vector<bool> shown = shownMaps(size);
@@ -54,13 +79,14 @@ Picture Engine::draw(glm::ivec2 size) {
         lit.push_back({maps.receiver, &maps.level, &maps.caustics});
     }
     drawLampShadows();
+    const gl::Texture* godrays = drawGodrays(size);
     if (!_picturePass) _picturePass = std::make_unique<PicturePass>(_context);
     Scope scope(_timers, "picture");
     std::vector<const Beams*> lights;
     for (const LightState& state : _lights)
         lights.push_back(&state.beams);
-    return _picturePass->draw({_scene, _origin, _patch, _surface.mesh(), _sides, _receivers, lit, lights},
-                              size);
+    return _picturePass->draw(
+        {_scene, _origin, _patch, _surface.mesh(), _sides, _receivers, lit, lights, godrays}, size);
 }
 
 } // namespace limpid

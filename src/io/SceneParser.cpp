@@ -315,12 +315,24 @@ void parseRadiance(TomlTable& root, std::string_view key, glm::dvec3& radiance) 
     table->finish();
 }
 
-void parseGodrays(TomlTable& root) {
-    std::optional<TomlTable> table = root.table("godrays");
-    if (!table) return;
-    constexpr std::string_view methods[] = {"none"};
-    table->choice("method", methods, " (photon-lines and tetrahedra come later)");
-    table->finish();
+GodraySettings parseGodrays(TomlTable table) {
+    GodraySettings godrays;
+    const std::string_view methods[] = {godrayMethodName(GodrayMethod::None),
+                                        godrayMethodName(GodrayMethod::PhotonLines)};
+    godrays.method =
+        static_cast<GodrayMethod>(table.choice("method", methods, " (the methods there are so far)"));
+    constexpr std::string_view phases[] = {"henyey-greenstein", "schlick"};
+    godrays.phase = static_cast<Phase>(table.choice("phase", phases));
+    std::array<std::int64_t, 2> grid = {godrays.grid.x, godrays.grid.y};
+    table.wholeNumbers("grid", grid, 1, 4096);
+    godrays.grid = {static_cast<int>(grid[0]), static_cast<int>(grid[1])};
+    parseWhole(table, "subdivision", godrays.subdivision, 1, 16);
+    table.number("scale", godrays.scale, {.min = 0, .max = 1, .openMin = true, .text = " > 0 and <= 1"});
+    table.number("line_width", godrays.lineWidth, {.min = 0.5, .max = 256, .text = " from 0.5 to 256"});
+    parseWhole(table, "filter_taps", godrays.filterTaps, 0, 32);
+    table.number("filter_radius", godrays.filterRadius, {.min = 0, .max = 64, .text = " from 0 to 64"});
+    table.finish();
+    return godrays;
 }
 
 /// Names become `RECEIVER.LIGHT.…` in file names, where dots inside of them could make two pairs one.
@@ -356,7 +368,7 @@ Scene parseScene(const toml::table& root, const fs::path& file, MeshCache& meshe
     parseRadiance(table, "sky", scene.skyRadiance);
     parseRadiance(table, "ambient", scene.ambientRadiance);
     if (auto caustics = table.table("caustics")) scene.caustics = parseCaustics(std::move(*caustics));
-    parseGodrays(table);
+    if (auto godrays = table.table("godrays")) scene.godrays = parseGodrays(std::move(*godrays));
     std::vector<TomlTable> receivers = table.tables("receiver", maxReceivers);
     table.finish(); // before files are loaded: a misspelt key should not have to wait for them
     if (water) scene.water = parseWater(std::move(*water), folder);

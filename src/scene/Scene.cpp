@@ -60,7 +60,11 @@ bool hasFills(Method method) {
 
 Fill fillOf(Method method, Fill asked) {
     if (hasFills(method)) return asked;
-    return method == Method::ExactBeam ? Fill::OnePass : Fill::Drawn;
+    return method == Method::ExactBeam || method == Method::PhotonSplat ? Fill::OnePass : Fill::Drawn;
+}
+
+std::string_view godrayMethodName(GodrayMethod method) {
+    return method == GodrayMethod::None ? "none" : "photon-lines";
 }
 
 Bounds worldBounds(const Receiver& receiver) {

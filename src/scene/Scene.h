@@ -116,6 +116,21 @@ struct CausticsSettings {
     double filterRadius = 2;         ///< texels, [0, 64]
 };
 
+enum class GodrayMethod { None, PhotonLines };
+enum class Phase { HenyeyGreenstein, Schlick };
+
+/// Light that the water scatters to a camera below the surface. Of photon lines, with the paper's settings.
+struct GodraySettings {
+    GodrayMethod method = GodrayMethod::None;
+    Phase phase = Phase::HenyeyGreenstein;
+    glm::ivec2 grid{100, 100}; ///< cells over the water, [1, 4096]
+    int subdivision = 2;       ///< lines along a side of a cell, [1, 16]
+    double scale = 0.16;       ///< of the target's sides to the picture's, (0, 1]
+    double lineWidth = 3;      ///< pixels of the target at least, [0.5, 256]
+    int filterTaps = 8;        ///< [0, 32]; 0: no filter
+    double filterRadius = 1.5; ///< pixels of the target, [0, 64]
+};
+
 struct Scene {
     Camera camera;
     Water water;
@@ -124,6 +139,7 @@ struct Scene {
     glm::dvec3 skyRadiance{0.3, 0.4, 0.6};        ///< W/(m² sr)
     glm::dvec3 ambientRadiance{0.05, 0.05, 0.05}; ///< W/(m² sr)
     CausticsSettings caustics;
+    GodraySettings godrays;
 };
 
 /// Every method there is.
@@ -141,6 +157,7 @@ std::optional<Fill> fillFromName(std::string_view name);
 bool hasFills(Method method);
 /// How a method comes to its light where `asked` is.
 Fill fillOf(Method method, Fill asked);
+std::string_view godrayMethodName(GodrayMethod method);
 
 /// Bounds of the receivers in the world, m; empty (min > max) without any.
 struct Bounds {

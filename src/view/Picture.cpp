@@ -6,6 +6,7 @@ namespace {
 
 constexpr int supersampling = 2; // samples a pixel and axis
 constexpr GLuint viewBinding = 2;
+enum GodrayUniform { GodraySamples, GodrayTaps, GodrayRadius };
 
 /// Receivers as seen through the surface or in it: what the passes draw into and look things up in.
 struct View {
@@ -68,6 +69,22 @@ void PicturePass::drawView(const ReceiverPass::Inputs& receivers, const gl::Fram
     _receivers.drawSheer(receivers, target, side, way);
 }
 
+/// Into the bound target.
+void PicturePass::addGodrays(const Inputs& inputs, glm::ivec2 samples) {
+    if (!_godrays)
+        _godrays.emplace(std::initializer_list<const char*>{"gl/screen.vert", "view/godrays.frag"});
+    inputs.godrays->bind(0);
+    _godrays->set(GodraySamples, samples);
+    _godrays->set(GodrayTaps, inputs.scene.godrays.filterTaps);
+    _godrays->set(GodrayRadius, float(inputs.scene.godrays.filterRadius));
+    _noVertices.bind();
+    _godrays->use();
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glDisable(GL_BLEND);
+}
+
 Picture PicturePass::draw(const Inputs& inputs, glm::ivec2 size) {
     gl::Ledger& ledger = _context.ledger();
     const glm::ivec2 samples = size * supersampling;
@@ -98,6 +115,7 @@ Picture PicturePass::draw(const Inputs& inputs, glm::ivec2 size) {
     _water.draw({inputs.scene, inputs.origin, inputs.patch, inputs.surface, frame, inputs.lights,
                  &refracted.radiance, &refracted.distance, &mirrored.radiance, &mirrored.distance});
     _receivers.drawSheer(receivers, picture, nearSide, Way::Straight);
+    if (inputs.godrays) addGodrays(inputs, samples);
     return resolve(radiance.readFloats(GL_RGBA, 4), size);
 }
 

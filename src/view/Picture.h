@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -39,15 +40,19 @@ class PicturePass {
         std::span<const ReceiverGeometry> receivers;
         std::span<const Lit> lit;
         std::span<const Beams* const> lights; ///< in the scene's order
+        const gl::Texture* godrays = nullptr; ///< RGBA32F, of any size: radiance to be added; null: none
     };
     Picture draw(const Inputs& inputs, glm::ivec2 size);
 
   private:
+    void addGodrays(const Inputs& inputs, glm::ivec2 samples);
     void drawView(const ReceiverPass::Inputs& receivers, const gl::Framebuffer& target, Side side, Way way);
 
     gl::Context& _context;
     ReceiverPass _receivers;
     WaterPass _water;
+    std::optional<gl::Program> _godrays; ///< made for the first picture with some
+    gl::VertexArray _noVertices;
 };
 
 } // namespace limpid

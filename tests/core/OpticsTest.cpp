@@ -103,5 +103,23 @@ TEST(Extinction, actsOnEachColour) {
     EXPECT_EQ(optics::extinction({0.5, 0.1, 0}, -3.0), glm::dvec3(1)) << "never adds light";
 }
 
+TEST(Phase, ofAllTurnsIsOneAndTurnsByG) {
+    constexpr int steps = 100000;
+    for (const float g : {-0.5f, 0.0f, 0.6f, 0.9f}) {
+        double whole = 0, mean = 0, simple = 0;
+        for (int i = 0; i < steps; ++i) {
+            const float turn = 2 * (float(i) + 0.5f) / steps - 1;
+            const double share = 4 * M_PI / steps;
+            whole += share * double(shader::henyeyGreenstein(turn, g));
+            mean += share * double(turn * shader::henyeyGreenstein(turn, g));
+            simple += share * double(shader::schlickPhase(turn, g));
+        }
+        // Single precision in every one of the terms.
+        EXPECT_NEAR(whole, 1, 1e-4) << g;
+        EXPECT_NEAR(mean, double(g), 1e-4) << g;
+        EXPECT_NEAR(simple, 1, 1e-4) << g;
+    }
+}
+
 } // namespace
 } // namespace limpid

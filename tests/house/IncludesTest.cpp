@@ -27,10 +27,13 @@ const std::map<std::string, Strings> mayInclude = {
     {"water", {"core", "gl", "scene"}},
     {"levelmap", {"core", "gl", "scene", "water"}},
     {"caustics", {"core", "gl", "scene", "water", "levelmap"}},
+    {"godrays", {"core", "gl", "scene", "water", "levelmap"}},
     {"view", {"core", "gl", "scene", "water", "levelmap", "caustics"}},
-    {"engine", {"core", "gl", "scene", "water", "levelmap", "caustics", "view"}},
+    {"engine", {"core", "gl", "scene", "water", "levelmap", "caustics", "godrays", "view"}},
     {"reference", {"core", "scene", "io"}},
-    {"apps", {"core", "gl", "scene", "io", "water", "levelmap", "caustics", "view", "engine", "reference"}},
+    {"apps",
+     {"core", "gl", "scene", "io", "water", "levelmap", "caustics", "godrays", "view", "engine",
+      "reference"}},
 };
 
 const Strings sourceFolders = {"src", "shaders", "tests", "models", "profiles/bench"};

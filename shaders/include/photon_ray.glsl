@@ -1,0 +1,44 @@
+// A photon: the light of a small piece of the water's level, refracted as the beam that it goes through.
+layout(std430, binding = 0) readonly buffer Indices { uint indices[]; };
+layout(std430, binding = 3) readonly buffer BeamOrigins { vec4 origins[]; };
+layout(std430, binding = 4) readonly buffer BeamDirections { vec4 directions[]; };
+layout(std430, binding = 5) readonly buffer BeamFlux { float flux[]; };
+layout(location = 0) uniform vec4 patchRect;  // x, z of a corner and extents of the beams' grid, m
+layout(location = 1) uniform ivec2 quads;     // of it
+layout(location = 2) uniform vec4 photonRect; // of the photon grid, likewise
+layout(location = 3) uniform ivec2 cells;     // of it
+layout(location = 4) uniform int subdivision; // photons along a side of a cell
+
+struct Photon {
+    vec3 from;      // m from the scene's origin
+    vec3 direction; // unit
+    float flux;     // in the unit of beams
+};
+
+// Photon `i` of a cell, below subdivision². Quads are cut as in water/WaterSurface.cpp.
+Photon photonOf(int cell, int i) {
+    vec2 photons = vec2(cells * subdivision);
+    ivec2 number = ivec2(cell % cells.x, cell / cells.x) * subdivision + ivec2(i % subdivision, i / subdivision);
+    vec2 xz = photonRect.xy + (vec2(number) + 0.5) / photons * photonRect.zw;
+    vec2 at = clamp((xz - patchRect.xy) / patchRect.zw * vec2(quads), vec2(0.0), vec2(quads) - 1e-4);
+    ivec2 quad = min(ivec2(at), quads - 1);
+    vec2 f = at - vec2(quad);
+    vec3 w;
+    bool first;
+    if (((quad.x + quad.y) & 1) == 0) {
+        first = f.x + f.y < 1.0; // a c b, then b c d
+        w = first ? vec3(1.0 - f.x - f.y, f.y, f.x) : vec3(1.0 - f.y, 1.0 - f.x, f.x + f.y - 1.0);
+    } else {
+        first = f.x < f.y; // a c d, then a d b
+        w = first ? vec3(1.0 - f.y, f.y - f.x, f.x) : vec3(1.0 - f.x, f.y, f.x - f.y);
+    }
+    int triangle = 2 * (quad.y * quads.x + quad.x) + (first ? 0 : 1);
+    vec3 from = vec3(0.0), direction = vec3(0.0);
+    for (int i = 0; i < 3; ++i) {
+        uint vertex = indices[3 * triangle + i];
+        from += w[i] * origins[vertex].xyz;
+        direction += w[i] * directions[vertex].xyz;
+    }
+    vec2 quadSize = patchRect.zw / vec2(quads), cellSize = photonRect.zw / photons;
+    return Photon(from, normalize(direction), flux[triangle] * (cellSize.x * cellSize.y) / (0.5 * quadSize.x * quadSize.y));
+}
