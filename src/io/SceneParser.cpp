@@ -10,6 +10,7 @@
 #include "io/Gltf.h"
 #include "io/HeightImages.h"
 #include "io/TomlReader.h"
+#include "io/WaterBodies.h"
 #include "io/WaterPresets.h"
 #include "scene/Shapes.h"
 
@@ -142,6 +143,8 @@ Wave parseWave(TomlTable table, const fs::path& folder) {
 
 void parseWaves(TomlTable& table, Water& water, const fs::path& folder) {
     const std::size_t preset = table.choice("preset", waterPresets);
+    double scale = 1;
+    table.number("wave_scale", scale, anyNumber);
     std::vector<TomlTable> waves = table.tables("wave", maxWaves);
     table.finish();
     if (table.has("preset")) {
@@ -156,6 +159,8 @@ void parseWaves(TomlTable& table, Water& water, const fs::path& folder) {
                                      table.where("wave"), maxHeightMaps, heightMaps));
     for (TomlTable& wave : waves)
         water.waves.push_back(parseWave(std::move(wave), folder));
+    for (Wave& wave : water.waves)
+        wave.amplitude *= scale;
 }
 
 Water parseWater(TomlTable table, const fs::path& folder) {
@@ -167,6 +172,7 @@ Water parseWater(TomlTable table, const fs::path& folder) {
     table.wholeNumbers("grid", grid, 1, 8192);
     water.grid = {static_cast<int>(grid[0]), static_cast<int>(grid[1])};
     table.number("ior", water.ior, {.min = 1, .max = 4, .text = " from 1 to 4"});
+    setWaterBody(table.choice("type", waterBodies), water);
     table.vector("absorption", water.absorption, nonNegative);
     table.vector("scattering", water.scattering, nonNegative);
     table.number("anisotropy", water.anisotropy,

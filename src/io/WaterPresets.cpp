@@ -45,6 +45,13 @@ constexpr Noise breezeNoise{0.60, 0.0040, 2, 2};
 // Rings at all stages at once: none fades, so twelve of them look like rain and not like twelve drops.
 constexpr Drops rainDrops{12, 0.12, 0.2, 0.0005, 4, 3};
 
+// The two waters of Papadopoulos and Papaioannou 4.1: rings with a little noise, and one cosine along an axis
+// with much. Their heights are not given; these focus at a metre or two.
+constexpr double ringWavelength = 0.5, ringAmplitude = 0.006; // m
+constexpr Noise weakNoise{0.40, 0.0040, 2, 4};
+constexpr Cosine longCosine[] = {{0.80, 0.0080, 0, 0}};
+constexpr Noise strongNoise{0.50, 0.0200, 2, 5};
+
 /// Of a wave on deep water driven by gravity and surface tension, m/s (H. Lamb, Hydrodynamics, § 267).
 double waveSpeed(double wavelength) {
     constexpr double gravity = 9.81;    // m/s²
@@ -96,7 +103,12 @@ std::vector<Wave> wavesOf(const Drops& drops, const glm::dvec2& center) {
 std::vector<Wave> presetWaves(std::size_t preset, const glm::dvec2& center) {
     if (preset == 0) return wavesOf(calmPool, calmPoolNoise);
     if (preset == 1) return wavesOf(breeze, breezeNoise);
-    return wavesOf(rainDrops, center);
+    if (preset == 2) return wavesOf(rainDrops, center);
+    if (preset == 4) return wavesOf(longCosine, strongNoise);
+    std::vector<Wave> waves = wavesOf({}, weakNoise);
+    waves.push_back(waveOf(WaveType::Circular, ringWavelength, ringAmplitude));
+    waves.back().center = center;
+    return waves;
 }
 
 } // namespace limpid::io

@@ -80,8 +80,8 @@ const TextCase waves[] = {
      "5:1: water.wave.0.direction: unknown key of a noise wave, expected one of amplitude, octaves, seed, "
      "speed, "
      "type, wavelength"},
-    {"[water]\npreset = \"storm\"",
-     "4:10: water.preset: expected \"calm pool\", \"breeze\" or \"rain drops\", found \"storm\""},
+    {"[water]\npreset = \"storm\"", "4:10: water.preset: expected \"calm pool\", \"breeze\", \"rain drops\", "
+                                    "\"circular + noise\" or \"cosine + strong noise\", found \"storm\""},
     {"[water]\npreset = \"breeze\"\n[[water.wave]]",
      "4:10: water.preset: expected no preset beside the waves of [[water.wave]], found \"breeze\""},
     {"[water]\nwave = 3", "4:8: water.wave: expected an array of tables, [[water.wave]], found 3"},

@@ -1,0 +1,15 @@
+#pragma once
+#include <cstddef>
+#include <string_view>
+
+#include "scene/Scene.h"
+
+namespace limpid::io {
+
+/// What `water.type` may be. The first, which is the default, neither absorbs nor scatters.
+inline constexpr std::string_view waterBodies[] = {"clearest", "pool", "clear ocean", "coastal"};
+
+/// Absorption, scattering (1/m, RGB) and anisotropy of waterBodies[body].
+void setWaterBody(std::size_t body, Water& water);
+
+} // namespace limpid::io
