@@ -1,6 +1,8 @@
-// Depth of what is no hole.
+// How far what is no hole lies: 1 over metres along the view, in alpha.
 #include "include/receiver_fragment.glsl"
+layout(location = 0) out vec4 outFar;
 
 void main() {
     if (isHole()) discard;
+    outFar = vec4(0.0, 0.0, 0.0, gl_FragCoord.w);
 }

@@ -61,7 +61,8 @@ glm::ivec2 godrayTargetSize(glm::ivec2 size, double scale) {
 PhotonLines::PhotonLines(gl::Context& context)
     : _context(context), _cast({"godrays/photon_lines.comp"}),
       _lines({"godrays/photon_line.vert", "godrays/photon_line.frag"}),
-      _depth({"godrays/view_depth.vert", "levelmap/face.geom", "godrays/view_depth.frag"}) {}
+      _depth({"godrays/view_depth.vert", "levelmap/face.geom", "godrays/view_depth.frag"}),
+      _surface({"godrays/view_surface.vert", "godrays/view_surface.frag"}) {}
 
 void PhotonLines::castLines(const Inputs& inputs, const Source& source) {
     const GodraySettings& settings = inputs.scene.godrays;
@@ -108,12 +109,19 @@ gl::Buffer PhotonLines::lineFrame(const Inputs& inputs, const Source& source) co
     return {_context.ledger(), "view", sizeof(data), &data};
 }
 
+/// What ends a view ray: receivers, and seen from below the surface. That one hides no line, as lines end
+/// there, and what is drawn wider than it is would lose its rim.
 void PhotonLines::drawDepth(const Inputs& inputs) {
-    // A shader without a colour leaves an undefined one.
-    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     for (const ReceiverGeometry& receiver : inputs.receivers)
         receiver.draw(_depth);
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    gl::VertexArray grid;
+    grid.attribute(0, inputs.surface.positions, 4, 0, sizeof(glm::vec4));
+    grid.indices(inputs.surface.indices);
+    grid.bind();
+    _surface.use();
+    glDepthMask(GL_FALSE);
+    glDrawElements(GL_TRIANGLES, 3 * inputs.surface.triangleCount, GL_UNSIGNED_INT, nullptr);
+    glDepthMask(GL_TRUE);
 }
 
 const gl::Texture& PhotonLines::draw(const Inputs& inputs) {

@@ -44,7 +44,8 @@ class PhotonLines {
         Camera camera;
     };
     /// RGBA32F, `scale` times the picture's size, row 0 at the bottom: W/(m² sr) that the water between the
-    /// camera and the first receiver scatters to it. It stays until the next call.
+    /// camera and the first receiver or the surface scatters to it; alpha 1 over the metres along the view to
+    /// those, 0 for none. It stays until the next call.
     const gl::Texture& draw(const Inputs& inputs);
 
   private:
@@ -52,7 +53,7 @@ class PhotonLines {
     void drawDepth(const Inputs& inputs);
     gl::Buffer lineFrame(const Inputs& inputs, const Source& source) const;
     gl::Context& _context;
-    gl::Program _cast, _lines, _depth;
+    gl::Program _cast, _lines, _depth, _surface;
     gl::Buffer _ends;
     gl::Texture _radiance;
     gl::VertexArray _noVertices;

@@ -6,7 +6,7 @@ namespace {
 
 constexpr int supersampling = 2; // samples a pixel and axis
 constexpr GLuint viewBinding = 2;
-enum GodrayUniform { GodraySamples, GodrayTaps, GodrayRadius };
+enum GodrayUniform { GodraySamples, GodrayTaps, GodrayRadius, GodrayNear };
 
 /// Receivers as seen through the surface or in it: what the passes draw into and look things up in.
 struct View {
@@ -69,12 +69,19 @@ void PicturePass::drawView(const ReceiverPass::Inputs& receivers, const gl::Fram
     _receivers.drawSheer(receivers, target, side, way);
 }
 
-/// Into the bound target.
-void PicturePass::addGodrays(const Inputs& inputs, glm::ivec2 samples) {
+/// To `radiance`. `depth` as drawn, `near` its plane, m.
+void PicturePass::addGodrays(const Inputs& inputs, const gl::Texture& radiance, const gl::Texture& depth,
+                             float near) {
     if (!_godrays)
         _godrays.emplace(std::initializer_list<const char*>{"gl/screen.vert", "view/godrays.frag"});
+    // Without depth, which is read here.
+    const gl::Texture* const targets[] = {&radiance};
+    const gl::Framebuffer target("picture", targets);
+    target.bind();
     inputs.godrays->bind(0);
-    _godrays->set(GodraySamples, samples);
+    depth.bind(1);
+    _godrays->set(GodraySamples, radiance.size());
+    _godrays->set(GodrayNear, near);
     _godrays->set(GodrayTaps, inputs.scene.godrays.filterTaps);
     _godrays->set(GodrayRadius, float(inputs.scene.godrays.filterRadius));
     _noVertices.bind();
@@ -115,7 +122,7 @@ Picture PicturePass::draw(const Inputs& inputs, glm::ivec2 size) {
     _water.draw({inputs.scene, inputs.origin, inputs.patch, inputs.surface, frame, inputs.lights,
                  &refracted.radiance, &refracted.distance, &mirrored.radiance, &mirrored.distance});
     _receivers.drawSheer(receivers, picture, nearSide, Way::Straight);
-    if (inputs.godrays) addGodrays(inputs, samples);
+    if (inputs.godrays) addGodrays(inputs, radiance, depth, frame.viewProjection[3][2]);
     return resolve(radiance.readFloats(GL_RGBA, 4), size);
 }
 

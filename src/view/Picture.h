@@ -40,12 +40,13 @@ class PicturePass {
         std::span<const ReceiverGeometry> receivers;
         std::span<const Lit> lit;
         std::span<const Beams* const> lights; ///< in the scene's order
-        const gl::Texture* godrays = nullptr; ///< RGBA32F, of any size: radiance to be added; null: none
+        const gl::Texture* godrays =
+            nullptr; ///< radiance to be added (shaders/view/godrays.frag); null: none
     };
     Picture draw(const Inputs& inputs, glm::ivec2 size);
 
   private:
-    void addGodrays(const Inputs& inputs, glm::ivec2 samples);
+    void addGodrays(const Inputs& inputs, const gl::Texture& radiance, const gl::Texture& depth, float near);
     void drawView(const ReceiverPass::Inputs& receivers, const gl::Framebuffer& target, Side side, Way way);
 
     gl::Context& _context;
