@@ -1,13 +1,14 @@
 // Exact beams, the pass over all quads. Each finds which texels it may touch. Where they lie in one plane and nothing can
 // shade it, as on most of a floor, it is cut with that plane once and each texel takes its share here; other quads are
 // left to exact_beams_by_texel.comp, in lists, so that none of them holds up the many that are simple.
-// One invocation for the two beams of a quad. In: footprints (footprints.comp), flux, depth pyramid. Out: flux sums, one
+// One invocation for the two beams of a quad, a work group for a tile of quads. In: footprints (footprints.comp), flux, depth pyramid. Out: flux sums, one
 // channel or three (COLOURED), and the lists. EXTINCTION: water takes light. SHADED: something may shade something.
 #include "include/beam_quads.glsl"
 #include "include/beam_sheet.glsl"
 #include "include/beam_deposit.glsl"
 #include "include/beam_lists.glsl"
 #include "include/optics.glsl"
+#include "include/tile_quads.glsl"
 layout(local_size_x = 64) in;
 layout(location = 1) uniform float stepsPerFlux;      // of the sums
 #ifdef EXTINCTION
@@ -105,8 +106,9 @@ void depositOnPlane(Quad quad, Leant leant, Slab slab, float upright) {
 }
 
 void main() {
-    int index = int(gl_GlobalInvocationID.y * gl_NumWorkGroups.x * gl_WorkGroupSize.x + gl_GlobalInvocationID.x);
-    if (index >= quads.x * quads.y) return;
+    ivec2 at;
+    if (!workQuad(quads, at)) return;
+    int index = at.y * quads.x + at.x;
     Quad quad;
     if (!loadQuad(index, quad)) return;
     if (!(mayMeet(quad.p) || mayMeet(quad.q) || mayMeet(quad.r) || mayMeet(quad.s))) return;

@@ -4,14 +4,16 @@
 // texels (levelmap/PlaneDepths.h), normal map; with PATHS, for what happens to light on its way, position map and
 // surface shadow. Out: flux sums, one channel or three (COLOURED), of irradiance times the area of a texel, as if the
 // whole mean light reached it. LARGE: the tiles of quads that touch many texels, which the pass over all quads left.
-#include "include/beam_tiles.glsl"
 #include "include/depth_pyramid.glsl"
-#include "include/flux_sums.glsl"
 #include "include/footprint.glsl"
+#include "include/beam_deposit.glsl"
 #include "include/large_beams.glsl"
 #include "include/octahedral.glsl"
 #include "include/optics.glsl"
 #include "include/texel_coverage.glsl"
+#ifndef LARGE
+#include "include/tile_quads.glsl"
+#endif
 #ifdef PATHS
 #include "include/surface_shadow.glsl"
 layout(binding = 2) uniform sampler2D positionMap; // RG32F
@@ -28,10 +30,6 @@ layout(location = 1) uniform float stepsPerFlux;   // of the sums
 layout(location = 2) uniform vec2 depthLimits;     // planes outside of these are left out, m
 layout(location = 3) uniform vec3 extinctionPerMetre;
 layout(location = 4) uniform int testSurfaceShadow; // 0: nothing stands out of the water
-#ifndef LARGE
-layout(location = 5) uniform int culled; // 0: every tile of the grid takes part
-layout(std430, binding = 2) readonly buffer Kept { uint kept[]; }; // cull_tiles.comp
-#endif
 
 // The corners of a quad: p and q the ends of its diagonal, r and s beside it. Beams are r p q and q p s.
 struct Quad {
@@ -137,16 +135,6 @@ vec3 beamFlux(vec4 a, vec4 b, vec4 c, vec3 starts, float flux, ivec2 texel, floa
 #endif
 }
 
-void deposit(int index, vec3 steps) {
-#ifdef COLOURED
-    addFlux(3 * index, steps.r);
-    addFlux(3 * index + 1, steps.g);
-    addFlux(3 * index + 2, steps.b);
-#else
-    addFlux(index, steps.r);
-#endif
-}
-
 void touch(Quad quad, bool far, ivec2 texel) {
     float depth = texelFetch(planeDepths, texel, 0).x;
     if (depth < depthLimits.x || depth > depthLimits.y) return;
@@ -162,8 +150,7 @@ void touch(Quad quad, bool far, ivec2 texel) {
                         quad.even ? quad.starts.zxy : quad.starts.yzx, quad.flux.x, texel, depth);
     if (covers.y && quad.flux.y > 0.0)
         sum += beamFlux(quad.q, quad.p, quad.s, quad.starts.yxw, quad.flux.y, texel, depth);
-    sum *= stepsPerFlux;
-    if (sum.r + sum.g + sum.b > 0.0) deposit(texel.y * boxSize.x + texel.x, sum);
+    deposit(texel, sum * stepsPerFlux);
 }
 
 #ifdef LARGE
@@ -183,14 +170,10 @@ void main() {
 }
 #else
 void main() {
-    int group = int(gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x);
-    if (culled != 0 && group >= int(kept[3])) return;
-    int tile = culled != 0 ? int(kept[5 + group]) : group, within = int(gl_LocalInvocationIndex);
-    ivec2 at = firstQuad(tile, quads) + ivec2(within % tileQuads, within / tileQuads);
-    if (any(greaterThanEqual(at, quads))) return;
+    ivec2 at;
     Quad quad;
     Walk walk;
-    if (!loadQuad(at, quad) || !findWalk(quad, walk)) return;
+    if (!workQuad(quads, at) || !loadQuad(at, quad) || !findWalk(quad, walk)) return;
     ivec2 size = walk.high - walk.low + 1;
     if (size.x * size.y > mostTexels && leaveToMany(at.y * quads.x + at.x, 0, walk.low, walk.high)) return;
     ivec2 texel = walk.low;

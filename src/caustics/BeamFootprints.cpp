@@ -1,14 +1,19 @@
 #include "caustics/BeamFootprints.h"
 
+#include <array>
+#include <string>
+
 namespace limpid {
 
 namespace {
 constexpr int groupSize = 64;
-enum Uniform { Count };
+enum Uniform { Count, Quads = 0 };
 } // namespace
 
 BeamFootprints::BeamFootprints(gl::Context& context)
-    : _context(context), _rays({"caustics/footprints.comp"}), _area({"caustics/footprint_areas.comp"}) {}
+    : _context(context), _rays({"caustics/footprints.comp"}),
+      _tileRays({"caustics/footprints.comp"}, std::array<std::string, 1>{"TILES"}),
+      _area({"caustics/footprint_areas.comp"}) {}
 
 void BeamFootprints::resize(const Beams& beams, const WaterMesh& surface) {
     if (beams.vertexCount != _vertexCount || beams.triangleCount != _triangleCount) {
@@ -31,15 +36,21 @@ void BeamFootprints::free() {
     _vertexCount = _triangleCount = 0;
 }
 
-void BeamFootprints::updateRays(const Beams& beams, const WaterMesh& surface, const LevelMap& map) {
+void BeamFootprints::updateRays(const Beams& beams, const WaterMesh& surface, const LevelMap& map,
+                                const BeamCulling* culling) {
     resize(beams, surface);
     map.box.bindUniform(1);
     beams.origins.bindStorage(3);
     beams.directions.bindStorage(4);
     _footprints.bindStorage(6);
     _originDepths.bindStorage(7);
-    _rays.set(Count, _vertexCount);
-    _rays.dispatch(_vertexCount, groupSize);
+    if (culling) {
+        _tileRays.set(Quads, surface.quads);
+        BeamCulling::dispatch(_tileRays, culling, surface.quads);
+    } else {
+        _rays.set(Count, _vertexCount);
+        _rays.dispatch(_vertexCount, groupSize);
+    }
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 

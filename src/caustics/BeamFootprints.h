@@ -1,4 +1,5 @@
 #pragma once
+#include "caustics/BeamTiles.h"
 #include "gl/Context.h"
 #include "gl/Handles.h"
 #include "gl/Program.h"
@@ -13,8 +14,9 @@ class BeamFootprints {
     explicit BeamFootprints(gl::Context& context);
 
     void update(const Beams& beams, const WaterMesh& surface, const LevelMap& map);
-    /// The rays alone, without the areas.
-    void updateRays(const Beams& beams, const WaterMesh& surface, const LevelMap& map);
+    /// The rays alone, without the areas; `culling`: only those of the tiles that it keeps, unless null.
+    void updateRays(const Beams& beams, const WaterMesh& surface, const LevelMap& map,
+                    const BeamCulling* culling = nullptr);
 
     /// Gives back its memory until the next update.
     void free();
@@ -31,7 +33,7 @@ class BeamFootprints {
   private:
     void resize(const Beams& beams, const WaterMesh& surface);
     gl::Context& _context;
-    gl::Program _rays, _area;
+    gl::Program _rays, _tileRays, _area;
     gl::Buffer _footprints, _originDepths, _areas;
     gl::VertexArray _vertexArray;
     int _vertexCount = 0, _triangleCount = 0;

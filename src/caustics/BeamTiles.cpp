@@ -1,6 +1,8 @@
 #include "caustics/BeamTiles.h"
 
 #include <algorithm>
+#include <array>
+#include <string>
 #include <vector>
 
 namespace limpid {
@@ -8,7 +10,7 @@ namespace limpid {
 namespace {
 constexpr int groupSize = 64;
 constexpr int tileQuads = 8; // as in shaders/include/beam_tiles.glsl
-enum Uniform { Quads };
+enum Uniform { Quads, Culled = 12 };
 enum Binding : GLuint { BoundsBinding, ReachedBinding, KeptBinding };
 
 glm::ivec2 tilesOf(glm::ivec2 quads) {
@@ -35,7 +37,8 @@ std::int64_t BeamTiles::reachedBeams() const {
 }
 
 BeamCulling::BeamCulling(gl::Context& context)
-    : _context(context), _bounds({"caustics/beam_tiles.comp"}), _cull({"caustics/cull_tiles.comp"}) {}
+    : _context(context), _bounds({"caustics/beam_tiles.comp"}), _cullPlanes({"caustics/cull_tiles.comp"}),
+      _cullLeaning({"caustics/cull_tiles.comp"}, std::array<std::string, 1>{"LEANING"}) {}
 
 void BeamCulling::update(BeamTiles& tiles, const Beams& beams, const WaterMesh& surface) {
     if (tiles.quads != surface.quads) {
@@ -52,7 +55,8 @@ void BeamCulling::update(BeamTiles& tiles, const Beams& beams, const WaterMesh& 
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
-void BeamCulling::cull(const BeamTiles& tiles, const LevelMap& map, const PlaneDepths& depths) {
+void BeamCulling::cull(const BeamTiles& tiles, const LevelMap& map, const gl::Texture& pyramid,
+                       Depths depths) {
     const std::int64_t bytes = 4 * (5 + tiles.count());
     if (_kept.bytes() < bytes) {
         _kept = {};
@@ -61,13 +65,24 @@ void BeamCulling::cull(const BeamTiles& tiles, const LevelMap& map, const PlaneD
     constexpr std::uint32_t none[5] = {0, 0, 1, 0, 0};
     _kept.write(0, sizeof(none), none);
     map.box.bindUniform(1);
-    depths.pyramid.bind(0);
+    pyramid.bind(0);
     tiles.bounds.bindStorage(BoundsBinding);
     tiles.reached.bindStorage(ReachedBinding);
     _kept.bindStorage(KeptBinding);
-    _cull.set(Quads, tiles.quads);
-    _cull.dispatch(tiles.count(), groupSize);
+    const gl::Program& program = depths == Depths::Leaning ? _cullLeaning : _cullPlanes;
+    program.set(Quads, tiles.quads);
+    program.dispatch(tiles.count(), groupSize);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+}
+
+void BeamCulling::dispatch(const gl::Program& program, const BeamCulling* culling, glm::ivec2 quads) {
+    program.set(Culled, culling ? 1 : 0);
+    if (!culling) {
+        program.dispatch(BeamTiles::countOf(quads) * groupSize, groupSize);
+        return;
+    }
+    culling->_kept.bindStorage(KeptBinding);
+    program.dispatchIndirect(culling->_kept, 0);
 }
 
 } // namespace limpid

@@ -3,7 +3,6 @@
 #include "gl/Handles.h"
 #include "gl/Program.h"
 #include "levelmap/LevelMap.h"
-#include "levelmap/PlaneDepths.h"
 #include "water/Beams.h"
 
 namespace limpid {
@@ -32,8 +31,14 @@ class BeamCulling {
     /// What a map is asked about: a scratch list, overwritten for the next.
     /// Four uints: work groups of an indirect dispatch (x, y, z), tiles; beams in them; the tiles.
     const gl::Buffer& kept() const { return _kept; }
-    /// Lists the tiles that may send a beam to one of the map's planes; all others send none.
-    void cull(const BeamTiles& tiles, const LevelMap& map, const PlaneDepths& depths);
+    /// Whose depths a pyramid holds: reference planes (levelmap/PlaneDepths.h), or as exact beams count them
+    /// (levelmap/TangentPlanes.h).
+    enum class Depths { Planes, Leaning };
+    /// Lists the tiles that may send a beam to the map; all others send none.
+    void cull(const BeamTiles& tiles, const LevelMap& map, const gl::Texture& pyramid, Depths depths);
+    /// For programs with shaders/include/tile_quads.glsl: all tiles, or those kept by `culling` unless that
+    /// is null.
+    static void dispatch(const gl::Program& program, const BeamCulling* culling, glm::ivec2 quads);
     /// Where in `kept` the number of beams is, bytes.
     static constexpr std::int64_t beamCountOffset = 16;
 
@@ -42,7 +47,7 @@ class BeamCulling {
 
   private:
     gl::Context& _context;
-    gl::Program _bounds, _cull;
+    gl::Program _bounds, _cullPlanes, _cullLeaning;
     gl::Buffer _kept;
 };
 

@@ -143,7 +143,7 @@ void ExactBeams::deposit(const Inputs& inputs, bool coloured, double stepsPerFlu
     const bool extinction = inputs.water.absorption + inputs.water.scattering != glm::dvec3(0);
     const bool mayBeShaded = inputs.sceneDepth || inputs.beams.surfaceShadow;
     const std::int64_t quads = std::int64_t(inputs.surface.quads.x) * inputs.surface.quads.y;
-    _footprints.updateRays(inputs.beams, inputs.surface, inputs.map);
+    _footprints.updateRays(inputs.beams, inputs.surface, inputs.map, inputs.culling);
     prepareLists(quads);
     bind(inputs);
     const Use use = [&](Pass pass, bool shaded) -> const gl::Program& {
@@ -156,7 +156,7 @@ void ExactBeams::deposit(const Inputs& inputs, bool coloured, double stepsPerFlu
         return found;
     };
     inputs.beams.lit.bindStorage(9);
-    use(Pass::AllQuads, mayBeShaded).dispatch(quads, groupSize);
+    BeamCulling::dispatch(use(Pass::AllQuads, mayBeShaded), inputs.culling, inputs.surface.quads);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
 
     _largeBeams.bindStorage(9);

@@ -29,6 +29,7 @@ class ExactBeams {
         const WaterMesh& surface;
         const Water& water;
         const Light& light;
+        const BeamCulling* culling = nullptr; ///< its list says which beams to ask about the map; null: all
         Colours colours = Colours::AsNeeded;
     };
     /// Overwrites `caustics`.

@@ -9,9 +9,9 @@ namespace limpid {
 
 namespace {
 
-enum Uniform { Quads, StepsPerFlux, DepthLimits, ExtinctionPerMetre, TestSurfaceShadow, Culled };
+enum Uniform { Quads, StepsPerFlux, DepthLimits, ExtinctionPerMetre, TestSurfaceShadow };
 enum ResolveUniform { WattsPerStep, Channels };
-constexpr int groupSize = 64; // quads of a tile
+constexpr int groupSize = 64;
 constexpr glm::ivec2 resolveGroupSize{8, 8};
 constexpr glm::vec2 allDepths{-1e29f, 1e29f};
 
@@ -70,7 +70,6 @@ void PlaneBeams::bind(const Inputs& inputs) {
     inputs.beams.directions.bindStorage(4);
     inputs.beams.flux.bindStorage(5);
     _largeBeams.bindStorage(9);
-    if (inputs.culling) inputs.culling->kept().bindStorage(2);
     if (inputs.beams.surfaceShadow) inputs.beams.surfaceShadow->bind(surfaceShadowUnit);
 }
 
@@ -81,7 +80,6 @@ void PlaneBeams::deposit(const Inputs& inputs, bool coloured, double stepsPerFlu
     _largeBeams.write(0, sizeof(none), none);
     for (const bool large : {false, true}) {
         const gl::Program& program = this->program({paths, coloured, large});
-        if (!large) program.set(Culled, inputs.culling ? 1 : 0);
         program.set(Quads, inputs.surface.quads);
         program.set(StepsPerFlux, float(stepsPerFlux));
         program.set(DepthLimits, depths);
@@ -91,10 +89,8 @@ void PlaneBeams::deposit(const Inputs& inputs, bool coloured, double stepsPerFlu
         }
         if (large)
             program.dispatch(largeGroups * groupSize, groupSize);
-        else if (inputs.culling)
-            program.dispatchIndirect(inputs.culling->kept(), 0);
         else
-            program.dispatch(BeamTiles::countOf(inputs.surface.quads) * groupSize, groupSize);
+            BeamCulling::dispatch(program, inputs.culling, inputs.surface.quads);
         glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     }
 }

@@ -315,9 +315,11 @@ void Engine::fill(ReceiverMaps& maps) {
                                          cullsBeams() ? &_culling : nullptr, colours});
         break;
     case Method::ExactBeam:
+        if (cullsBeams()) cullBeams(maps);
         _exactBeams.fill(maps.caustics,
                          {maps.level, maps.receiver, maps.tangents, sceneDepthOf(maps), state.beams,
-                          _surface.mesh(), _scene.water, _scene.lights[std::size_t(maps.light)], colours});
+                          _surface.mesh(), _scene.water, _scene.lights[std::size_t(maps.light)],
+                          cullsBeams() ? &_culling : nullptr, colours});
         break;
     case Method::Volumetric:
         _volumetric->drawCaustics(maps.slices, maps.level, state.beams, _surface.mesh(), _scene.water);

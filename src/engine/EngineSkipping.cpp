@@ -10,11 +10,14 @@ bool Engine::isDark(int light) const {
 
 bool Engine::cullsBeams() const {
     const CausticsSettings& settings = _scene.caustics;
-    return _skipping && hasFills(settings.method) && settings.fill == Fill::OnePass;
+    return _skipping && fillOf(settings.method, settings.fill) == Fill::OnePass;
 }
 
 void Engine::cullBeams(ReceiverMaps& maps) {
-    _culling.cull(_lights[std::size_t(maps.light)].tiles, maps.level, maps.depths);
+    const bool exact = _scene.caustics.method == Method::ExactBeam;
+    _culling.cull(_lights[std::size_t(maps.light)].tiles, maps.level,
+                  exact ? maps.tangents.depthPyramid : maps.depths.pyramid,
+                  exact ? BeamCulling::Depths::Leaning : BeamCulling::Depths::Planes);
     if (!maps.askedBeams.id()) maps.askedBeams = gl::Buffer(_context.ledger(), "beam tiles", 4);
     maps.askedBeams.copy(_culling.kept(), BeamCulling::beamCountOffset, sizeof(std::uint32_t));
     maps.culled = true;

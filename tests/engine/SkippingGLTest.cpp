@@ -123,36 +123,38 @@ TEST_F(SkippingGLTest, countsWhatItLeavesOut) {
 }
 
 TEST_F(SkippingGLTest, passesOverBeamsThatMissAReceiver) {
-    Scene scene = balls();
-    scene.caustics.method = Method::LevelMap;
-    scene.lights.push_back(scenes::sunAt(-50, "low"));
-    Light lamp;
-    lamp.name = "lamp";
-    lamp.type = LightType::Point;
-    lamp.position = {0.5, 0.7, 0.1};
-    scene.lights.push_back(lamp);
-    scene.receivers.push_back(scenes::floorAt(-0.9, 0.5));
-    Engine skipping(context()), working(context());
-    working.setSkipping(false);
-    const Baked less = bake(skipping, scene), all = bake(working, scene);
-    expectSameMaps(less, all, "balls");
-    const std::int64_t beams = 2 * 48 * 48, pairs = beams * std::int64_t(skipping.maps().size());
-    printf("%.1f %% of beams by maps are passed over\n",
-           100 * double(skipping.skipped().beams) / double(pairs));
-    EXPECT_GT(skipping.skipped().beams, pairs / 2) << "ten small receivers in a wide water";
-    EXPECT_LT(skipping.skipped().beams, pairs);
-    EXPECT_EQ(working.skipped().beams, 0);
-    for (int light = 0; light < 3; ++light) {
-        EXPECT_LE(skipping.beamsDrawn(light), beams);
-        EXPECT_GT(skipping.beamsDrawn(light), beams / 20);
-        EXPECT_EQ(working.beamsDrawn(light), beams);
+    for (const Method method : {Method::LevelMap, Method::ExactBeam}) {
+        Scene scene = balls();
+        scene.caustics.method = method;
+        scene.lights.push_back(scenes::sunAt(-50, "low"));
+        Light lamp;
+        lamp.name = "lamp";
+        lamp.type = LightType::Point;
+        lamp.position = {0.5, 0.7, 0.1};
+        scene.lights.push_back(lamp);
+        scene.receivers.push_back(scenes::floorAt(-0.9, 0.5));
+        Engine skipping(context()), working(context());
+        working.setSkipping(false);
+        const Baked less = bake(skipping, scene), all = bake(working, scene);
+        expectSameMaps(less, all, "balls");
+        const std::int64_t beams = 2 * 48 * 48, pairs = beams * std::int64_t(skipping.maps().size());
+        printf("%.1f %% of beams by maps are passed over\n",
+               100 * double(skipping.skipped().beams) / double(pairs));
+        EXPECT_GT(skipping.skipped().beams, pairs / 2) << "ten small receivers in a wide water";
+        EXPECT_LT(skipping.skipped().beams, pairs);
+        EXPECT_EQ(working.skipped().beams, 0);
+        for (int light = 0; light < 3; ++light) {
+            EXPECT_LE(skipping.beamsDrawn(light), beams);
+            EXPECT_GT(skipping.beamsDrawn(light), beams / 20);
+            EXPECT_EQ(working.beamsDrawn(light), beams);
+        }
+        double sum = 0;
+        for (const MapData& map : less.maps)
+            sum += map.deposited;
+        EXPECT_GT(sum, 0.1);
+        skipping.updateCaustics(0);
+        EXPECT_EQ(skipping.skipped().beams, 0) << "a resting map asks about none";
     }
-    double sum = 0;
-    for (const MapData& map : less.maps)
-        sum += map.deposited;
-    EXPECT_GT(sum, 0.1);
-    skipping.updateCaustics(0);
-    EXPECT_EQ(skipping.skipped().beams, 0) << "a resting map asks about none";
 }
 
 TEST_F(SkippingGLTest, passesOverAllBeamsWhereNoneArrive) {
