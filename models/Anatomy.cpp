@@ -1,17 +1,16 @@
 #include "Anatomy.h"
-#include "Loft.h"
 
 #include <glm/geometric.hpp>
 
 namespace limpid::models {
 
-Shell body(const std::vector<BodyRow>& rows) {
+Shell body(const std::vector<BodyRow>& rows, const LoftDetail& detail) {
     std::vector<Section> sections;
     for (const BodyRow& row : rows)
         sections.push_back({{row.x, 0.5 * (row.top + row.bottom), 0.0},
                             {0.0, 0.5 * (row.top - row.bottom), 0.0},
                             {0.0, 0.0, -row.halfWidth}});
-    return loft(sections, {.ringsPerSpan = 3, .sides = 22});
+    return loft(sections, detail);
 }
 
 Shell fin(const std::vector<FinRow>& rows) {

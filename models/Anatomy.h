@@ -1,6 +1,6 @@
 #pragma once
 
-#include "Mesh.h"
+#include "Loft.h"
 
 namespace limpid::models {
 
@@ -12,7 +12,7 @@ struct BodyRow {
 };
 
 /// The trunk through its rows from nose to tail; the first and last close it to a point.
-Shell body(const std::vector<BodyRow>& rows);
+Shell body(const std::vector<BodyRow>& rows, const LoftDetail& detail = {.ringsPerSpan = 3, .sides = 22});
 
 /// A cut through a fin from its leading to its trailing edge, lens-shaped.
 struct FinRow {

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include <bit>
+#include <cmath>
 #include <fstream>
 #include <stdexcept>
 
@@ -82,6 +83,23 @@ void addVectors(Content& content, const std::vector<glm::dvec3>& vectors) {
     closeView(content, begin, targetVertices);
 }
 
+// Four components: glTF wants each vertex to begin at a multiple of four bytes.
+void addColours(Content& content, const std::vector<glm::dvec3>& colours) {
+    if (colours.empty()) return;
+    const std::size_t begin = content.bytes.size();
+    for (const glm::dvec3& colour : colours) {
+        for (int c = 0; c < 3; ++c)
+            append(content.bytes, static_cast<std::uint16_t>(std::lround(colour[c] * 65535.0)));
+        append(content.bytes, std::uint16_t{65535});
+    }
+    content.accessors.push_back({{"bufferView", content.views.size()},
+                                 {"componentType", componentUnsignedShort},
+                                 {"normalized", true},
+                                 {"count", colours.size()},
+                                 {"type", "VEC4"}});
+    closeView(content, begin, targetVertices);
+}
+
 ordered_json materialJson(const std::string& name, const Material& material) {
     const glm::vec3 c = material.colour;
     return {{"name", name},
@@ -92,8 +110,9 @@ ordered_json materialJson(const std::string& name, const Material& material) {
 }
 
 ordered_json document(const std::string& name, const Material& material, const Content& content) {
-    const ordered_json primitive = {
-        {"attributes", {{"POSITION", 1}, {"NORMAL", 2}}}, {"indices", 0}, {"material", 0}};
+    ordered_json attributes = {{"POSITION", 1}, {"NORMAL", 2}};
+    if (content.accessors.size() > 3) attributes["COLOR_0"] = 3;
+    const ordered_json primitive = {{"attributes", attributes}, {"indices", 0}, {"material", 0}};
     return {{"asset", {{"version", "2.0"}, {"generator", "limpid-make-models"}}},
             {"scene", 0},
             {"scenes", {{{"nodes", {0}}}}},
@@ -122,6 +141,7 @@ void writeGlb(const std::filesystem::path& path, const std::string& name, const 
     addIndices(content, mesh.indices);
     addVectors(content, mesh.positions);
     addVectors(content, mesh.normals);
+    addColours(content, mesh.colours);
     std::string json = document(name, material, content).dump();
     padTo4(json, ' ');
 

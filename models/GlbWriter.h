@@ -14,7 +14,8 @@ struct Material {
 };
 
 /// Writes a binary glTF 2.0 file with one mesh of one primitive: 16-bit indices, then float positions, then
-/// float normals. Throws std::runtime_error if the file cannot be written or the mesh has too many vertices.
+/// float normals, then, if the mesh has any, 16-bit colours, which glTF multiplies with the material's.
+/// Throws std::runtime_error if the file cannot be written or the mesh has too many vertices.
 void writeGlb(const std::filesystem::path& path, const std::string& name, const Mesh& mesh,
               const Material& material);
 

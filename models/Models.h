@@ -23,4 +23,15 @@ Mesh fish();
 /// A dolphin arched in a leap, snout towards +x.
 Mesh dolphin();
 
+/// The thesis's other receivers, by its names ("angle fish" is the angelfish of aquaria). Swimmers look
+/// towards +x; all have colours of their own.
+Mesh angleFish();
+Mesh redBetta();
+Mesh siameseTiger();
+Mesh barramundi();
+Mesh brownTrout();
+Mesh lionHead();
+Mesh steelHead();
+Mesh bass();
+
 } // namespace limpid::models
