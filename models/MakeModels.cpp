@@ -37,6 +37,12 @@ std::vector<Entry> allModels() {
         {"lion_head", lionHead, ownColours},
         {"steel_head", steelHead, ownColours},
         {"bass", bass, ownColours},
+        {"shark", shark, ownColours},
+        {"leopard_shark", leopardShark, ownColours},
+        {"sand_bar_shark", sandBarShark, ownColours},
+        {"whale", whale, ownColours},
+        {"manta", manta, ownColours},
+        {"sun_fish", sunFish, ownColours},
     };
 }
 

@@ -33,5 +33,11 @@ Mesh brownTrout();
 Mesh lionHead();
 Mesh steelHead();
 Mesh bass();
+Mesh shark();
+Mesh leopardShark();
+Mesh sandBarShark();
+Mesh whale();
+Mesh manta();
+Mesh sunFish();
 
 } // namespace limpid::models

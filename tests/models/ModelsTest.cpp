@@ -52,6 +52,12 @@ const ModelCase models[] = {
     {"lion_head", 7032, true, 6602},
     {"steel_head", 7488, true, 7226},
     {"bass", 2556, true, 2253},
+    {"shark", 1032, true, 942},
+    {"leopard_shark", 5424, true, 5200},
+    {"sand_bar_shark", 5480, true, 5200},
+    {"whale", 7040, true, 6288},
+    {"manta", 6992, true, 6820},
+    {"sun_fish", 5176, true, 4912},
 };
 
 fs::path committed(const std::string& name) {
