@@ -1,8 +1,9 @@
 #include "Field.h"
 
+#include "Simplify.h"
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <meshoptimizer.h>
 
 #include <algorithm>
 #include <array>
@@ -121,30 +122,17 @@ class Lattice {
     Shell _shell;
 };
 
-// Only positions that triangles use, in their order.
-Shell compacted(const Shell& shell) {
-    Shell result;
-    std::map<std::uint32_t, std::uint32_t> known;
-    for (std::uint32_t index : shell.indices) {
-        const auto [found, added] =
-            known.try_emplace(index, static_cast<std::uint32_t>(result.positions.size()));
-        if (added) result.positions.push_back(shell.positions[index]);
-        result.indices.push_back(found->second);
+// Every vertex half-way to the mean of its neighbours.
+void relax(Shell& shell) {
+    std::vector<glm::dvec3> sums(shell.positions.size(), glm::dvec3{0.0});
+    std::vector<double> counts(shell.positions.size(), 0.0);
+    for (std::size_t i = 0; i < shell.indices.size(); ++i) {
+        const std::uint32_t here = shell.indices[i], next = shell.indices[i % 3 == 2 ? i - 2 : i + 1];
+        sums[here] += shell.positions[next];
+        counts[here] += 1.0;
     }
-    return result;
-}
-
-Shell simplified(const Shell& shell, std::size_t triangles) {
-    std::vector<float> positions;
-    for (const glm::dvec3& p : shell.positions)
-        positions.insert(positions.end(), {float(p.x), float(p.y), float(p.z)});
-    Shell result = shell;
-    const float anyError = 1.0f;
-    const std::size_t left =
-        meshopt_simplify(result.indices.data(), shell.indices.data(), shell.indices.size(), positions.data(),
-                         shell.positions.size(), 3 * sizeof(float), 3 * triangles, anyError);
-    result.indices.resize(left);
-    return compacted(result);
+    for (std::size_t i = 0; i < sums.size(); ++i)
+        shell.positions[i] = 0.5 * (shell.positions[i] + sums[i] / counts[i]);
 }
 
 } // namespace
@@ -192,8 +180,12 @@ Shell surfaceOf(const Field& field, const glm::dvec3& low, const glm::dvec3& hig
         }
         return p;
     };
-    for (glm::dvec3& p : shell.positions)
-        p = drawn(p);
+    // Marching leaves slivers, which even out while the vertices slide along the surface.
+    for (int i = 0; i < 4; ++i) {
+        relax(shell);
+        for (glm::dvec3& p : shell.positions)
+            p = drawn(p);
+    }
     return simplified(shell, triangles);
 }
 

@@ -43,6 +43,9 @@ std::vector<Entry> allModels() {
         {"whale", whale, ownColours},
         {"manta", manta, ownColours},
         {"sun_fish", sunFish, ownColours},
+        {"horse", horse, ownColours},
+        {"hammer", hammer, ownColours},
+        {"car", car, ownColours},
     };
 }
 

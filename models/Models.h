@@ -39,5 +39,8 @@ Mesh sandBarShark();
 Mesh whale();
 Mesh manta();
 Mesh sunFish();
+Mesh horse();
+Mesh hammer();
+Mesh car();
 
 } // namespace limpid::models

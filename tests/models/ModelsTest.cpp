@@ -58,6 +58,9 @@ const ModelCase models[] = {
     {"whale", 7040, true, 6288},
     {"manta", 6992, true, 6820},
     {"sun_fish", 5176, true, 4912},
+    {"horse", 4616, true, 4314},
+    {"hammer", 12884, true, 13478},
+    {"car", 10528, true, 9907},
 };
 
 fs::path committed(const std::string& name) {
