@@ -46,6 +46,14 @@ std::vector<Entry> allModels() {
         {"horse", horse, ownColours},
         {"hammer", hammer, ownColours},
         {"car", car, ownColours},
+        {"chair", chair, ownColours},
+        {"sink", sink, ownColours},
+        {"sofa", sofa, ownColours},
+        {"ufo", ufo, ownColours},
+        {"plane", plane, ownColours},
+        {"helicopter", helicopter, ownColours},
+        {"camera", camera, ownColours},
+        {"tank", tank, ownColours},
     };
 }
 

@@ -42,5 +42,13 @@ Mesh sunFish();
 Mesh horse();
 Mesh hammer();
 Mesh car();
+Mesh chair();
+Mesh sink();
+Mesh sofa();
+Mesh ufo();
+Mesh plane();
+Mesh helicopter();
+Mesh camera();
+Mesh tank();
 
 } // namespace limpid::models

@@ -61,6 +61,14 @@ const ModelCase models[] = {
     {"horse", 4616, true, 4314},
     {"hammer", 12884, true, 13478},
     {"car", 10528, true, 9907},
+    {"chair", 188, true, 190},
+    {"sink", 948, true, 1068},
+    {"sofa", 9808, true, 10360},
+    {"ufo", 21704, true, 20663},
+    {"plane", 3008, true, 3030},
+    {"helicopter", 4680, true, 5138},
+    {"camera", 13684, true, 15496},
+    {"tank", 26808, true, 25812},
 };
 
 fs::path committed(const std::string& name) {
