@@ -123,7 +123,7 @@ Shell blade(double from, double to, double chord) {
 }
 
 void addRotors(Assembly& craft) {
-    const auto spun = [](const Shell& shell) { return moved(turned(shell, 1, 28.0), {-0.020, 0.515, 0.0}); };
+    const auto spun = [](const Shell& shell) { return moved(turned(shell, 1, 105.0), {-0.020, 0.515, 0.0}); };
     const Shell one = blade(0.020, 0.500, 0.046);
     for (double turn : {0.0, 180.0})
         craft.add(spun(turned(one, 1, turn)));
