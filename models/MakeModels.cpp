@@ -23,12 +23,12 @@ struct Entry {
 std::vector<Entry> allModels() {
     const Material ownColours{{1.0f, 1.0f, 1.0f}, 0.5f}; // the vertices have theirs
     return {
-        {"teapot", [] { return teapot(8); }, {{0.78f, 0.70f, 0.58f}, 0.4f}}, // cream-glazed stoneware
-        {"sphere", [] { return sphere(32, 32); }, {{0.76f, 0.75f, 0.72f}}},  // chalk
-        {"box", box, {{0.53f, 0.34f, 0.19f}}},                               // oak
-        {"cross", cross, {{0.60f, 0.29f, 0.20f}}},                           // terracotta
-        {"fish", fish, {{0.84f, 0.36f, 0.08f}, 0.5f}},                       // goldfish
-        {"dolphin", dolphin, {{0.33f, 0.40f, 0.47f}, 0.5f}},                 // blue-grey skin
+        {"teapot", [] { return teapot(10); }, {{0.78f, 0.70f, 0.58f}, 0.4f}}, // cream-glazed stoneware
+        {"sphere", [] { return sphere(32, 32); }, {{0.76f, 0.75f, 0.72f}}},   // chalk
+        {"box", box, {{0.53f, 0.34f, 0.19f}}},                                // oak
+        {"cross", cross, {{0.60f, 0.29f, 0.20f}}},                            // terracotta
+        {"fish", fish, {{0.84f, 0.36f, 0.08f}, 0.5f}},                        // goldfish
+        {"dolphin", dolphin, {{0.33f, 0.40f, 0.47f}, 0.5f}},                  // blue-grey skin
         {"angle_fish", angleFish, ownColours},
         {"red_betta", redBetta, ownColours},
         {"siamese_tiger", siameseTiger, ownColours},
