@@ -6,40 +6,48 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace limpid::models {
 
+namespace {
+
+glm::dvec3 barred(const glm::dvec3& p) {
+    const glm::dvec3 colour = glm::mix(rgb(0xE8ECEC), rgb(0xC9B98A), ramp(-0.1, 0.2, p.y));
+    double bar = bump(0.262, 0.026, p.x);
+    bar = std::max(bar, bump(0.060, 0.048, p.x - 0.1 * p.y * p.y));
+    bar = std::max(bar, bump(-0.165, 0.034, p.x));
+    return glm::mix(colour, rgb(0x0C0C10), ramp(0.3, 0.6, bar));
+}
+
+// The angelfish's fin above (sign 1) or below (−1); the body's bars go on in it.
+Shell sail(double sign) {
+    Fan f{.root = {{0.120, 0.205 * sign, 0},
+                   {0.000, 0.205 * sign, 0},
+                   {-0.120, 0.120 * sign, 0},
+                   {-0.190, 0.055 * sign, 0}},
+          .tip = {{0.060, 0.300 * sign, 0},
+                  {-0.170, 0.520 * sign, 0},
+                  {-0.290, 0.560 * sign, 0},
+                  {-0.235, 0.250 * sign, 0},
+                  {-0.225, 0.110 * sign, 0}},
+          .halfThickness = 0.008,
+          .colour = {},
+          .nu = 10,
+          .nv = 26};
+    f.colour = [f](double u, double v) {
+        const glm::dvec3 p = glm::mix(along(f.root, v), along(f.tip, v), u);
+        const double ray = 0.12 * (1.0 - std::cos(glm::two_pi<double>() * 13.0 * v));
+        return barred({p.x + 0.35 * u * std::abs(p.y), p.y, 0.0}) * (1.0 - ray);
+    };
+    return fan(f);
+}
+
+} // namespace
+
 // The angelfish of aquaria: a disc with sails above and below, feelers, and three black bars.
 Mesh angleFish() {
-    const auto barred = [](const glm::dvec3& p) {
-        const glm::dvec3 colour = glm::mix(rgb(0xE8ECEC), rgb(0xC9B98A), ramp(-0.1, 0.2, p.y));
-        double bar = bump(0.262, 0.026, p.x);
-        bar = std::max(bar, bump(0.060, 0.048, p.x - 0.1 * p.y * p.y));
-        bar = std::max(bar, bump(-0.165, 0.034, p.x));
-        return glm::mix(colour, rgb(0x0C0C10), ramp(0.3, 0.6, bar));
-    };
-    const auto sail = [&](double sign) {
-        Fan f{.root = {{0.120, 0.205 * sign, 0},
-                       {0.000, 0.205 * sign, 0},
-                       {-0.120, 0.120 * sign, 0},
-                       {-0.190, 0.055 * sign, 0}},
-              .tip = {{0.060, 0.300 * sign, 0},
-                      {-0.170, 0.520 * sign, 0},
-                      {-0.290, 0.560 * sign, 0},
-                      {-0.235, 0.250 * sign, 0},
-                      {-0.225, 0.110 * sign, 0}},
-              .halfThickness = 0.008,
-              .colour = {},
-              .nu = 10,
-              .nv = 26};
-        f.colour = [&barred, f](double u, double v) {
-            const glm::dvec3 p = glm::mix(along(f.root, v), along(f.tip, v), u);
-            const double ray = 0.12 * (1.0 - std::cos(glm::two_pi<double>() * 13.0 * v));
-            return barred({p.x + 0.35 * u * std::abs(p.y), p.y, 0.0}) * (1.0 - ray);
-        };
-        return fan(f);
-    };
     const Shell round = evenBody({{0.370, 0.010, 0.010, 0.000},
                                   {0.355, 0.034, -0.014, 0.016},
                                   {0.315, 0.070, -0.050, 0.030},

@@ -1,7 +1,5 @@
 #include "Place.h"
 
-#include "Loft.h"
-
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -84,14 +82,6 @@ Shell swollen(Shell shell, const std::function<double(const glm::dvec3&)>& amoun
     for (std::size_t i = 0; i < normals.size(); ++i)
         if (glm::length(normals[i]) > 0.0)
             shell.positions[i] += amount(shell.positions[i]) * glm::normalize(normals[i]);
-    return shell;
-}
-
-Shell mirroredInX(Shell shell) {
-    for (glm::dvec3& p : shell.positions)
-        p.x = -p.x;
-    for (std::size_t i = 0; i < shell.indices.size(); i += 3)
-        std::swap(shell.indices[i + 1], shell.indices[i + 2]);
     return shell;
 }
 

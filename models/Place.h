@@ -26,10 +26,7 @@ Shell shaped(Shell shell, const std::function<glm::dvec3(const glm::dvec3&)>& f)
 /// Every position moved along the normal by `amount` there.
 Shell swollen(Shell shell, const std::function<double(const glm::dvec3&)>& amount);
 
-/// The other one of a pair, mirrored at x = 0, still facing outward; mirroredInZ is in Loft.h.
-Shell mirroredInX(Shell shell);
-
-/// 0 below `from`, 1 above `to`, smooth between.
+/// 0 before `from`, 1 beyond `to`, smooth between; `to` may be the lower one.
 double ramp(double from, double to, double x);
 
 /// 1 at `centre`, 0 farther than `width` from it, smooth between.

@@ -1,7 +1,5 @@
 #include "Polygon.h"
 
-#include "Shapes.h"
-
 #include <glm/geometric.hpp>
 
 #include <algorithm>

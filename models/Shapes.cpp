@@ -1,7 +1,5 @@
 #include "Shapes.h"
 
-#include "Polygon.h"
-
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "Mesh.h"
+#include "Polygon.h"
 
 #include <glm/vec2.hpp>
 
@@ -31,9 +32,6 @@ Shell rod(const std::vector<glm::dvec3>& points, const std::vector<double>& radi
 /// A simple polygon (counter-clockwise, any shape without holes) as a slab from z0 to z1; its rims are cut
 /// back by `bevel`, which must be less than half of its narrowest part.
 Shell slab(const std::vector<glm::dvec2>& polygon, double z0, double z1, double bevel = 0.0);
-
-/// The polygon with each corner replaced by an arc of about `radius` in `steps` pieces.
-std::vector<glm::dvec2> rounded(const std::vector<glm::dvec2>& polygon, double radius, int steps);
 
 /// A box given by two opposite corners: 12 triangles, or 44 with a bevel.
 Shell block(const glm::dvec3& low, const glm::dvec3& high, double bevel = 0.0);

@@ -21,7 +21,7 @@ struct Shark {
     std::vector<BodyRow> trunk;
     int rings, sides;
     std::vector<FinShape> fins;
-    glm::dvec2 finCells; ///< of the largest fin, the first one
+    glm::ivec2 finCells; ///< of the largest fin, the first one
     Paint skin;
     Paint finSkin;
     glm::dvec3 eye; ///< where one of them is
@@ -60,8 +60,8 @@ Mesh swimmer(const Shark& shark) {
                                 .tip = shape.tip,
                                 .halfThickness = 0.010,
                                 .colour = {},
-                                .nu = int(first ? shark.finCells.x : std::max(2.0, shark.finCells.x - 2.0)),
-                                .nv = int(first ? shark.finCells.y : 0.5 * shark.finCells.y)});
+                                .nu = first ? shark.finCells.x : std::max(2, shark.finCells.x - 2),
+                                .nv = first ? shark.finCells.y : shark.finCells.y / 2});
         const Shell coloured = painted(part, shark.finSkin);
         if (shape.paired)
             fish.addPair(coloured);

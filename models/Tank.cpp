@@ -225,8 +225,12 @@ Shell turretShell() {
     });
 }
 
+// The turret looks a little to one side.
+Shell turret(const Shell& shell) {
+    return moved(turned(shell, 1, 14.0), {0.020, 0.240, 0.0});
+}
+
 void addTurret(Assembly& tank) {
-    const auto turret = [](const Shell& shell) { return moved(turned(shell, 1, 14.0), {0.020, 0.240, 0.0}); };
     const auto add = [&](const Shell& shell, double crease) { tank.add(armoured(turret(shell)), crease); };
     add(turretShell(), 35.0);
     add(lathe({{0.0, -0.010}, {0.150, -0.010}, {0.150, 0.004}, {0.0, 0.004}}, 48), 30.0); // ring
@@ -274,7 +278,10 @@ void addTurret(Assembly& tank) {
     tank.add(painted(turret(rod({{-0.130, 0.115, -0.070}, {-0.136, 0.230, -0.071}, {-0.150, 0.340, -0.073}},
                                 {0.003, 0.002, 0.0015}, 3, 6)),
                      steel));
-    // A machine gun on the cupola, hand rails, stowage behind.
+}
+
+// A machine gun on the cupola, hand rails, stowage behind.
+void addTurretFittings(Assembly& tank) {
     tank.add(
         painted(turret(rod({{-0.050, 0.178, 0.052}, {0.120, 0.184, 0.052}}, {0.007, 0.004}, 2, 10)), steel));
     tank.add(painted(turret(block({-0.090, 0.168, 0.040}, {-0.020, 0.188, 0.064}, 0.003)), steel), 30.0);
@@ -284,7 +291,7 @@ void addTurret(Assembly& tank) {
                 {{0.050, 0.060, 0.93 * z}, {0.040, 0.068, z}, {-0.070, 0.068, z}, {-0.080, 0.060, 0.93 * z}},
                 {0.004, 0.004, 0.004, 0.004}, 3, 6)),
             steel));
-    add(block({-0.262, 0.020, -0.080}, {-0.195, 0.080, 0.080}, 0.006), 30.0);
+    tank.add(armoured(turret(block({-0.262, 0.020, -0.080}, {-0.195, 0.080, 0.080}, 0.006))), 30.0);
 }
 
 } // namespace
@@ -297,6 +304,7 @@ Mesh tank() {
         addLinks(tank, side * trackMiddle);
     }
     addTurret(tank);
+    addTurretFittings(tank);
     return tank.take();
 }
 
