@@ -43,29 +43,13 @@ Engine::Engine(gl::Context& context)
       _culling(context), _exactBeams(context), _fluxAudit(context) {}
 
 void Engine::setScene(Scene scene) {
+    frameCamera(scene);
+    const WaterPatch patch = coveringPatch(scene);
+    requireGrid(patch.grid, _context.info());
+    requirePlanes(scene.caustics, _context.info());
+    _patch = patch;
+    setReceivers(scene);
     _scene = std::move(scene);
-    frameCamera(_scene);
-    _origin = sceneOrigin(_scene);
-    _patch = coveringPatch(_scene);
-    requireGrid(_patch.grid, _context.info());
-    requirePlanes(_scene.caustics, _context.info());
-    _receivers.clear();
-    _submerged.clear();
-    _dry.clear();
-    _sides = {};
-    _bounds.clear();
-    for (const Receiver& receiver : _scene.receivers) {
-        const Bounds bounds = worldBounds(receiver);
-        _bounds.push_back({bounds.min - _origin, bounds.max - _origin});
-        _receivers.emplace_back(_context, receiver, _origin);
-        _submerged.push_back(pointsOfSide(receiver, _scene.water.level, Side::Below));
-        for (const glm::dvec3& p : _submerged.back())
-            _sides.wet.add(p);
-        const auto above = pointsOfSide(receiver, _scene.water.level, Side::Above);
-        _dry.insert(_dry.end(), above.begin(), above.end());
-    }
-    for (const glm::dvec3& p : _dry)
-        _sides.dry.add(p);
     _maps.clear();
     freeMaps();
     for (PlannedMap& planned : planMaps(_scene, _submerged)) {
@@ -78,6 +62,43 @@ void Engine::setScene(Scene scene) {
                                         planned.facing, _scene.water.level);
         maps.level.facing = planned.facing;
     }
+}
+
+/// Those of the scene before that come again are not made again.
+void Engine::setReceivers(const Scene& scene) {
+    const glm::dvec3 origin = sceneOrigin(scene);
+    std::vector<ReceiverGeometry> receivers;
+    std::vector<std::vector<glm::dvec3>> submerged;
+    _dry.clear();
+    _sides = {};
+    _bounds.clear();
+    for (std::size_t i = 0; i < scene.receivers.size(); ++i) {
+        const Receiver& receiver = scene.receivers[i];
+        const Bounds bounds = worldBounds(receiver);
+        _bounds.push_back({bounds.min - origin, bounds.max - origin});
+        const bool same = i < _receivers.size() && origin == _origin && receiver == _scene.receivers[i];
+        if (same)
+            receivers.push_back(std::move(_receivers[i]));
+        else
+            receivers.emplace_back(_context, receiver, origin);
+        submerged.push_back(pointsOfSide(receiver, scene.water.level, Side::Below));
+        for (const glm::dvec3& p : submerged.back())
+            _sides.wet.add(p);
+        const auto above = pointsOfSide(receiver, scene.water.level, Side::Above);
+        _dry.insert(_dry.end(), above.begin(), above.end());
+    }
+    for (const glm::dvec3& p : _dry)
+        _sides.dry.add(p);
+    _receivers = std::move(receivers);
+    _submerged = std::move(submerged);
+    _origin = origin;
+}
+
+void Engine::setLook(const Scene& scene) {
+    _scene.camera = scene.camera;
+    _scene.skyRadiance = scene.skyRadiance;
+    _scene.ambientRadiance = scene.ambientRadiance;
+    frameCamera(_scene);
 }
 
 void Engine::setCaustics(const CausticsSettings& settings) {
@@ -108,6 +129,7 @@ void Engine::freeMaps() {
     if (_photonSplat) _photonSplat->free();
     _lightsReady = false;
     _causticsTime.reset();
+    _pictureHasLight = false;
 }
 
 void Engine::updateCaustics(double time) {
@@ -124,6 +146,7 @@ void Engine::updateSurface(double time) {
     const bool rests = _reuse && _causticsTime && (*_causticsTime == time || !moves(_scene.water));
     if (rests) return;
     _causticsTime = time;
+    _pictureHasLight = false;
     {
         Scope scope(_timers, "water");
         _surface.update(_scene.water, _patch, _origin, time);
@@ -159,7 +182,7 @@ void Engine::updateMaps(ReceiverMaps& maps) {
     if (_reuse && maps.filled)
         ++_skipped.causticMaps;
     else
-        fill(maps);
+        fill(maps), _pictureHasLight = false;
     maps.filled = true;
 }
 

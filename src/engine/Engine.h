@@ -66,8 +66,12 @@ class Engine {
     explicit Engine(gl::Context& context);
 
     /// Uploads the receivers and prepares what does not depend on time. Every receiver has a mesh. Left-open
-    /// choices of the scene (camera, extent of the water) are made here.
+    /// choices of the scene (camera, extent of the water) are made here. Receivers that are those of the
+    /// scene before stay on the GPU. Throws InputError, and then keeps the scene before.
     void setScene(Scene scene);
+    /// Camera and radiance of sky and surroundings of another scene that has all else in common with this
+    /// one. No caustic is made anew.
+    void setLook(const Scene& scene);
     const Scene& scene() const { return _scene; }
     /// Another method or other maps of the same scene. Frees what was made by the settings before; everything
     /// is made anew at the next update.
@@ -97,6 +101,10 @@ class Engine {
     static int largestPicture(const gl::Context& context) { return PicturePass::largestSide(context); }
     /// The scene as its camera sees it, lit by the caustics of the last update. Waits for the GPU.
     Picture draw(glm::ivec2 size);
+    /// The same piece by piece and without waiting (view/Picture.h): scene and caustics stay as they are from
+    /// one call to the next. A picture has 2 · 2 samples a pixel; fewer are faster.
+    PicturePass::Sketch beginPicture(glm::ivec2 size, int perPixel);
+    void drawRows(const PicturePass::Sketch& sketch, glm::ivec2 rows);
     /// updateCaustics for those maps that the picture can show, then draw.
     Picture render(double time, glm::ivec2 size);
 
@@ -108,6 +116,9 @@ class Engine {
     gl::PassTimers& timers() { return _timers; }
 
   private:
+    void setReceivers(const Scene& scene);
+    template <typename Use>
+    auto withPicture(glm::ivec2 size, Use&& use);
     void updateSurface(double time);
     void updateLight(int light);
     void traceBeams();
@@ -158,6 +169,7 @@ class Engine {
     bool _skipping = true, _reuse = true;
     bool _lightsReady = false;
     Skipped _skipped;
+    bool _pictureHasLight = false; ///< the picture pass has seen the caustics as they are
     std::optional<double> _causticsTime;
     Scene _scene;
     glm::dvec3 _origin{0};

@@ -66,15 +66,14 @@ Picture Engine::render(double time, glm::ivec2 size) {
     return draw(size);
 }
 
-Picture Engine::draw(glm::ivec2 size) {
+/// Calls `use` with the picture pass and its inputs for a picture of `size`.
+template <typename Use>
+auto Engine::withPicture(glm::ivec2 size, Use&& use) {
     const std::vector<bool> shown = shownMaps(size);
     std::vector<Lit> lit;
     for (std::size_t i = 0; i < _maps.size(); ++i) {
         ReceiverMaps& maps = _maps[i];
-        if (!shown[i]) {
-            ++_skipped.unreadPasses; // that makes it ready to be projected
-            continue;
-        }
+        if (!shown[i]) continue;
         if (!maps.filled) updateMaps(maps);
         lit.push_back({maps.receiver, &maps.level, &maps.caustics});
     }
@@ -85,8 +84,25 @@ Picture Engine::draw(glm::ivec2 size) {
     std::vector<const Beams*> lights;
     for (const LightState& state : _lights)
         lights.push_back(&state.beams);
-    return _picturePass->draw(
-        {_scene, _origin, _patch, _surface.mesh(), _sides, _receivers, lit, lights, godrays}, size);
+    const bool rests = _reuse && _pictureHasLight;
+    _pictureHasLight = true;
+    _skipped.unreadPasses += std::int64_t(_maps.size() - lit.size()); // that make maps ready to be projected
+    return use(*_picturePass, PicturePass::Inputs{_scene, _origin, _patch, _surface.mesh(), _sides,
+                                                  _receivers, lit, lights, godrays, rests});
+}
+
+Picture Engine::draw(glm::ivec2 size) {
+    return withPicture(size, [&](PicturePass& pass, const auto& inputs) { return pass.draw(inputs, size); });
+}
+
+PicturePass::Sketch Engine::beginPicture(glm::ivec2 size, int perPixel) {
+    return withPicture(
+        size, [&](PicturePass& pass, const auto& inputs) { return pass.begin(inputs, size, perPixel); });
+}
+
+void Engine::drawRows(const PicturePass::Sketch& sketch, glm::ivec2 rows) {
+    withPicture(sketch.samples().size() / sketch.perPixel(),
+                [&](PicturePass& pass, const auto& inputs) { pass.drawRows(inputs, sketch, rows); });
 }
 
 } // namespace limpid

@@ -24,6 +24,8 @@ struct Camera {
     glm::dvec3 up{0, 1, 0};
     double verticalFov = 45; ///< degrees, (0, 180)
     double exposure = 0;     ///< stops
+
+    bool operator==(const Camera&) const = default;
 };
 
 enum class WaveType { Cosine, Circular, Noise, HeightMap, Phillips };
@@ -46,6 +48,8 @@ struct Wave {
     glm::dvec2 size{1};                       ///< height map: extents along x and z, m; 0 outside of them
     double fps = 30;                          ///< height map: frames a second, > 0
     std::shared_ptr<const Spectrum> spectrum; ///< phillips
+
+    bool operator==(const Wave&) const = default;
 };
 
 /// Height maps are textures, which a shader can bind a few of. Phillips waves become such.
@@ -61,6 +65,8 @@ struct Water {
     glm::dvec3 scattering{0};         ///< 1/m, >= 0
     double anisotropy = 0.9;          ///< g of Henyey-Greenstein, (-1, 1)
     std::vector<Wave> waves;
+
+    bool operator==(const Water&) const = default;
 };
 
 enum class LightType { Directional, Point };
@@ -80,6 +86,7 @@ struct Light {
     double outerCone = 180;         ///< spot: degrees from the axis, (0, 90]; 180: no spot, shines all around
 
     bool isSpot() const { return type == LightType::Point && outerCone < 180; }
+    bool operator==(const Light&) const = default;
 };
 
 /// An object that caustics fall on. `mesh` is in its own space; translation · rotation · scale puts it into
@@ -92,6 +99,7 @@ struct Receiver {
     glm::dvec3 scale{1};
 
     glm::dvec3 toWorld(const glm::dvec3& local) const { return translation + rotation * (scale * local); }
+    bool operator==(const Receiver&) const = default; ///< a mesh equals itself alone
 };
 
 enum class Method { LevelMap, LevelMapSmart, ExactBeam, Volumetric, PhotonSplat };
@@ -114,6 +122,8 @@ struct CausticsSettings {
     glm::dvec2 splatSize{5, 20};     ///< texels: at the most and at the least metres of water; >= 1, rising
     int filterTaps = 8;              ///< [0, 32]; 0: no filter
     double filterRadius = 2;         ///< texels, [0, 64]
+
+    bool operator==(const CausticsSettings&) const = default;
 };
 
 enum class GodrayMethod { None, PhotonLines };
@@ -129,6 +139,8 @@ struct GodraySettings {
     double lineWidth = 3;      ///< pixels of the target at least, [0.5, 256]
     int filterTaps = 8;        ///< [0, 32]; 0: no filter
     double filterRadius = 1.5; ///< pixels of the target, [0, 64]
+
+    bool operator==(const GodraySettings&) const = default;
 };
 
 struct Scene {
@@ -140,6 +152,8 @@ struct Scene {
     glm::dvec3 ambientRadiance{0.05, 0.05, 0.05}; ///< W/(m² sr)
     CausticsSettings caustics;
     GodraySettings godrays;
+
+    bool operator==(const Scene&) const = default;
 };
 
 /// Every method there is.

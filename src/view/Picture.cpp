@@ -1,5 +1,7 @@
 #include "view/Picture.h"
 
+#include <limits>
+
 namespace limpid {
 
 namespace {
@@ -7,23 +9,6 @@ namespace {
 constexpr int supersampling = 2; // samples a pixel and axis
 constexpr GLuint viewBinding = 2;
 enum GodrayUniform { GodraySamples, GodrayTaps, GodrayRadius, GodrayNear };
-
-/// Receivers as seen through the surface or in it: what the passes draw into and look things up in.
-struct View {
-    gl::Texture radiance, distance, depth;
-    gl::Framebuffer target;
-
-    View(gl::Ledger& ledger, const char* kind, glm::ivec2 size)
-        : radiance(ledger, kind, GL_RGBA32F, size), distance(ledger, kind, GL_R32F, size),
-          depth(ledger, "depth buffer", GL_DEPTH_COMPONENT32F, size) {
-        radiance.setFilter(GL_LINEAR, GL_CLAMP_TO_EDGE);
-        const gl::Texture* const targets[] = {&radiance, &distance};
-        target = gl::Framebuffer(kind, targets, &depth);
-        target.clearColor(0, glm::vec4(0));
-        target.clearColor(1, glm::vec4(-1));
-        target.clearDepth(0);
-    }
-};
 
 /// While it lives, depth runs from 1 near by to 0 far away (shaders/include/view.glsl).
 struct NearIsOne {
@@ -55,7 +40,29 @@ Picture resolve(const std::vector<float>& samples, glm::ivec2 size) {
     return picture;
 }
 
+/// While it lives, only these rows of what is bound can be drawn.
+struct RowsOnly {
+    explicit RowsOnly(glm::ivec2 rows) {
+        glEnable(GL_SCISSOR_TEST);
+        glScissor(0, rows.x, std::numeric_limits<GLsizei>::max(), rows.y - rows.x);
+    }
+    ~RowsOnly() { glDisable(GL_SCISSOR_TEST); }
+    RowsOnly(const RowsOnly&) = delete;
+    RowsOnly& operator=(const RowsOnly&) = delete;
+};
+
 } // namespace
+
+PicturePass::Sketch::View::View(gl::Ledger& ledger, const char* kind, glm::ivec2 size)
+    : radiance(ledger, kind, GL_RGBA32F, size), distance(ledger, kind, GL_R32F, size),
+      depth(ledger, "depth buffer", GL_DEPTH_COMPONENT32F, size) {
+    radiance.setFilter(GL_LINEAR, GL_CLAMP_TO_EDGE);
+    const gl::Texture* const targets[] = {&radiance, &distance};
+    target = gl::Framebuffer(kind, targets, &depth);
+    target.clearColor(0, glm::vec4(0));
+    target.clearColor(1, glm::vec4(-1));
+    target.clearDepth(0);
+}
 
 PicturePass::PicturePass(gl::Context& context) : _context(context), _receivers(context), _water(context) {}
 
@@ -92,38 +99,56 @@ void PicturePass::addGodrays(const Inputs& inputs, const gl::Texture& radiance, 
     glDisable(GL_BLEND);
 }
 
-Picture PicturePass::draw(const Inputs& inputs, glm::ivec2 size) {
-    gl::Ledger& ledger = _context.ledger();
-    const glm::ivec2 samples = size * supersampling;
-    const glm::ivec2 wide(glm::ceil(glm::dvec2(samples) * (1 + viewMargin)));
-    const ViewFrameData frame =
-        viewFrame(inputs.scene, inputs.origin, inputs.patch, inputs.surface, inputs.sides, samples);
-    const gl::Buffer view(ledger, "view", sizeof(frame), &frame);
-    view.bindUniform(viewBinding);
-    const NearIsOne reversed;
-    const Side nearSide = frame.cameraAbove() ? Side::Above : Side::Below;
-    const Side farSide = frame.cameraAbove() ? Side::Below : Side::Above;
+ReceiverPass::Inputs PicturePass::receiverInputs(const Inputs& inputs, const ViewFrameData& frame) const {
+    return {inputs.scene,  inputs.receivers,         inputs.lit,
+            inputs.lights, inputs.surface.positions, glm::vec3(frame.cameraPosition)};
+}
 
-    const ReceiverPass::Inputs receivers{
-        inputs.scene,  inputs.receivers,         inputs.lit,
-        inputs.lights, inputs.surface.positions, glm::vec3(frame.cameraPosition)};
-    _receivers.prepare(receivers);
-    const View refracted(ledger, "refracted view", wide);
-    if (frame.hasFarSide()) drawView(receivers, refracted.target, farSide, Way::Refracted);
-    const View mirrored(ledger, "mirrored view", frame.hasNearSide() ? wide : glm::ivec2(1));
-    if (frame.hasNearSide()) drawView(receivers, mirrored.target, nearSide, Way::Mirrored);
-    const gl::Texture radiance(ledger, "picture", GL_RGBA32F, samples);
-    const gl::Texture depth(ledger, "depth buffer", GL_DEPTH_COMPONENT32F, samples);
-    const gl::Texture* const targets[] = {&radiance};
-    const gl::Framebuffer picture("picture", targets, &depth);
-    picture.clearColor(0, frame.cameraAbove() ? frame.skyRadiance : frame.deepRadiance);
-    picture.clearDepth(0);
-    _receivers.drawSolid(receivers, picture, nearSide, Way::Straight);
+PicturePass::Sketch PicturePass::begin(const Inputs& inputs, glm::ivec2 size, int perPixel) {
+    gl::Ledger& ledger = _context.ledger();
+    const glm::ivec2 samples = size * perPixel;
+    const glm::ivec2 wide(glm::ceil(glm::dvec2(samples) * (1 + viewMargin)));
+    Sketch sketch;
+    sketch._perPixel = perPixel;
+    sketch._frame =
+        viewFrame(inputs.scene, inputs.origin, inputs.patch, inputs.surface, inputs.sides, samples);
+    const ViewFrameData& frame = sketch._frame;
+    sketch._view = gl::Buffer(ledger, "view", sizeof(frame), &frame);
+    sketch._view.bindUniform(viewBinding);
+    const NearIsOne reversed;
+    const ReceiverPass::Inputs receivers = receiverInputs(inputs, frame);
+    _receivers.prepare(receivers, inputs.lightRests);
+    sketch._refracted = Sketch::View(ledger, "refracted view", wide);
+    if (frame.hasFarSide()) drawView(receivers, sketch._refracted.target, frame.farSide(), Way::Refracted);
+    sketch._mirrored = Sketch::View(ledger, "mirrored view", frame.hasNearSide() ? wide : glm::ivec2(1));
+    if (frame.hasNearSide()) drawView(receivers, sketch._mirrored.target, frame.nearSide(), Way::Mirrored);
+    sketch._radiance = gl::Texture(ledger, "picture", GL_RGBA32F, samples);
+    sketch._depth = gl::Texture(ledger, "depth buffer", GL_DEPTH_COMPONENT32F, samples);
+    const gl::Texture* const targets[] = {&sketch._radiance};
+    sketch._target = gl::Framebuffer("picture", targets, &sketch._depth);
+    sketch._target.clearColor(0, frame.cameraAbove() ? frame.skyRadiance : frame.deepRadiance);
+    sketch._target.clearDepth(0);
+    return sketch;
+}
+
+void PicturePass::drawRows(const Inputs& inputs, const Sketch& sketch, glm::ivec2 rows) {
+    const ViewFrameData& frame = sketch._frame;
+    sketch._view.bindUniform(viewBinding);
+    const NearIsOne reversed;
+    const RowsOnly only(rows * sketch._perPixel);
+    const ReceiverPass::Inputs receivers = receiverInputs(inputs, frame);
+    _receivers.drawSolid(receivers, sketch._target, frame.nearSide(), Way::Straight);
     _water.draw({inputs.scene, inputs.origin, inputs.patch, inputs.surface, frame, inputs.lights,
-                 &refracted.radiance, &refracted.distance, &mirrored.radiance, &mirrored.distance});
-    _receivers.drawSheer(receivers, picture, nearSide, Way::Straight);
-    if (inputs.godrays) addGodrays(inputs, radiance, depth, frame.viewProjection[3][2]);
-    return resolve(radiance.readFloats(GL_RGBA, 4), size);
+                 &sketch._refracted.radiance, &sketch._refracted.distance, &sketch._mirrored.radiance,
+                 &sketch._mirrored.distance});
+    _receivers.drawSheer(receivers, sketch._target, frame.nearSide(), Way::Straight);
+    if (inputs.godrays) addGodrays(inputs, sketch._radiance, sketch._depth, frame.viewProjection[3][2]);
+}
+
+Picture PicturePass::draw(const Inputs& inputs, glm::ivec2 size) {
+    const Sketch sketch = begin(inputs, size, supersampling);
+    drawRows(inputs, sketch, {0, size.y});
+    return resolve(sketch.samples().readFloats(GL_RGBA, 4), size);
 }
 
 } // namespace limpid

@@ -26,6 +26,31 @@ std::vector<std::uint8_t> toneMapped(const Picture& picture, double exposure);
 /// Receivers lit by their caustic maps, through the water surface as the scene's camera sees it.
 class PicturePass {
   public:
+    /// A picture in the making: what it needs, and what is drawn of it.
+    class Sketch {
+      public:
+        /// Linear radiance, RGBA32F, W/(m² sr), row 0 at the bottom, alpha without meaning; of every pixel
+        /// `perPixel` · `perPixel` samples, side by side.
+        const gl::Texture& samples() const { return _radiance; }
+        int perPixel() const { return _perPixel; }
+
+      private:
+        friend class PicturePass;
+        /// Receivers as seen through the surface or in it: what is drawn into and looked up in.
+        struct View {
+            gl::Texture radiance, distance, depth;
+            gl::Framebuffer target;
+            View() = default;
+            View(gl::Ledger& ledger, const char* kind, glm::ivec2 size);
+        };
+        int _perPixel = 1;
+        ViewFrameData _frame;
+        gl::Buffer _view;
+        View _refracted, _mirrored;
+        gl::Texture _radiance, _depth;
+        gl::Framebuffer _target;
+    };
+
     explicit PicturePass(gl::Context& context);
 
     /// Pixels on the longer side, at most.
@@ -41,12 +66,20 @@ class PicturePass {
         std::span<const Lit> lit;
         std::span<const Beams* const> lights; ///< in the scene's order
         const gl::Texture* godrays =
-            nullptr; ///< radiance to be added (shaders/view/godrays.frag); null: none
+            nullptr;             ///< radiance to be added (shaders/view/godrays.frag); null: none
+        bool lightRests = false; ///< the caustic maps are those of the picture before
     };
     Picture draw(const Inputs& inputs, glm::ivec2 size);
 
+    /// The same picture piece by piece and left on the GPU, for who has to answer a user in between. `begin`
+    /// draws what all pieces look things up in; the inputs stay the same until the last piece.
+    Sketch begin(const Inputs& inputs, glm::ivec2 size, int perPixel);
+    /// The pixels of `rows` (from the bottom; first, and one past the last).
+    void drawRows(const Inputs& inputs, const Sketch& sketch, glm::ivec2 rows);
+
   private:
     void addGodrays(const Inputs& inputs, const gl::Texture& radiance, const gl::Texture& depth, float near);
+    ReceiverPass::Inputs receiverInputs(const Inputs& inputs, const ViewFrameData& frame) const;
     void drawView(const ReceiverPass::Inputs& receivers, const gl::Framebuffer& target, Side side, Way way);
 
     gl::Context& _context;

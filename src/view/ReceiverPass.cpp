@@ -17,7 +17,12 @@ ReceiverPass::ReceiverPass(gl::Context& context)
       _receiver({"view/receiver.vert", "view/receiver.tesc", "view/receiver.tese", "levelmap/face.geom",
                  "view/receiver.frag"}) {}
 
-void ReceiverPass::prepare(const Inputs& inputs) {
+void ReceiverPass::prepare(const Inputs& inputs, bool rests) {
+    std::vector<GLuint> sources;
+    for (const Lit& lit : inputs.lit)
+        sources.push_back(lit.caustics->irradiance.id());
+    if (rests && sources == _castsOf) return;
+    _castsOf = std::move(sources);
     _casts.clear();
     for (const Lit& lit : inputs.lit) {
         gl::Texture& cast =

@@ -37,8 +37,9 @@ class ReceiverPass {
         const gl::Buffer& surfacePositions;   ///< of the water, as WaterMesh has it
         glm::vec3 camera;                     ///< m from the scene's origin
     };
-    /// Makes the caustic maps ready to be projected; `draw` shows these.
-    void prepare(const Inputs& inputs);
+    /// Makes the caustic maps ready to be projected; `draw` shows these. `rests`: they are those of the last
+    /// time.
+    void prepare(const Inputs& inputs, bool rests);
     /// Adds to `target`: radiance, distance if it has one (shaders/view/receiver.frag), depth (1 near by, 0
     /// far away); all cleared by the caller. The view frame is bound.
     void drawSolid(const Inputs& inputs, const gl::Framebuffer& target, Side side, Way way);
@@ -61,6 +62,7 @@ class ReceiverPass {
     gl::Context& _context;
     gl::Program _castMap, _receiver;
     std::vector<gl::Texture> _casts; ///< one for each of `lit`
+    std::vector<GLuint> _castsOf;    ///< the caustic maps that they are made of
 };
 
 } // namespace limpid

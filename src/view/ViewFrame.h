@@ -1,6 +1,7 @@
 #pragma once
 #include <glm/glm.hpp>
 
+#include "levelmap/ReceiverGeometry.h"
 #include "scene/Scene.h"
 #include "water/FlatWater.h"
 #include "water/WaterSurface.h"
@@ -22,6 +23,9 @@ struct ViewFrameData {
     glm::vec4 nearSideMin, nearSideMax, farSideMin, farSideMax;
 
     bool cameraAbove() const { return cameraPosition.w > 0.5f; }
+    /// The camera's side of the surface, and the other one.
+    Side nearSide() const { return cameraAbove() ? Side::Above : Side::Below; }
+    Side farSide() const { return cameraAbove() ? Side::Below : Side::Above; }
     /// Whether any receiver is on the camera's side of the surface, or on the other one.
     bool hasNearSide() const { return nearSideMin.w > 0.5f; }
     bool hasFarSide() const { return farSideMin.w > 0.5f; }
