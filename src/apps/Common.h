@@ -64,5 +64,6 @@ void addCompare(CLI::App& app);
 void addProfile(CLI::App& app);
 void addInfo(CLI::App& app);
 void addReference(CLI::App& app); ///< in builds with LIMPID_REFERENCE
+void addView(CLI::App& app);      ///< in builds without LIMPID_VIEWER it says that there is none
 
 } // namespace limpid::apps

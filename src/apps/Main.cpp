@@ -28,6 +28,7 @@ int run(int argc, char** argv) {
     app.footer(
         "Exit: 0 done, 1 a comparison failed, 2 wrong usage or bad input, 3 the graphics system failed.");
     limpid::apps::addRender(app);
+    limpid::apps::addView(app);
     limpid::apps::addBake(app);
     limpid::apps::addCompare(app);
     limpid::apps::addProfile(app);

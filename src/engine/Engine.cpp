@@ -42,12 +42,15 @@ Engine::Engine(gl::Context& context)
       _tangentPlanesPass(context), _planeDepthsPass(context), _drawnPlanes(context), _planeBeams(context),
       _culling(context), _exactBeams(context), _fluxAudit(context) {}
 
+void Engine::requireScene(const Scene& scene, const gl::Context& context) {
+    requireGrid(scene.water.grid, context.info());
+    requirePlanes(scene.caustics, context.info());
+}
+
 void Engine::setScene(Scene scene) {
     frameCamera(scene);
-    const WaterPatch patch = coveringPatch(scene);
-    requireGrid(patch.grid, _context.info());
-    requirePlanes(scene.caustics, _context.info());
-    _patch = patch;
+    requireScene(scene, _context);
+    _patch = coveringPatch(scene);
     setReceivers(scene);
     _scene = std::move(scene);
     _maps.clear();

@@ -73,6 +73,8 @@ class Engine {
     /// one. No caustic is made anew.
     void setLook(const Scene& scene);
     const Scene& scene() const { return _scene; }
+    /// Throws InputError for what setScene would not take.
+    static void requireScene(const Scene& scene, const gl::Context& context);
     /// Another method or other maps of the same scene. Frees what was made by the settings before; everything
     /// is made anew at the next update.
     void setCaustics(const CausticsSettings& settings);

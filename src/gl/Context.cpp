@@ -174,12 +174,26 @@ Context::Context(const ContextOptions& options)
     if (_egl->context == EGL_NO_CONTEXT)
         throw GraphicsError(fmt::format("EGL: expected a device with OpenGL 4.5 core, found {} without it",
                                         listOf(described)));
-    if (options.debug) {
+    listenAndQuery(options.debug, _egl->platform);
+}
+
+Context::Context(Current, const ContextOptions& options)
+    : _egl(std::make_unique<Egl>()), _onMessage(options.onMessage) {
+    if (eglGetCurrentContext() == EGL_NO_CONTEXT)
+        throw GraphicsError("EGL: expected a window with a context, found none");
+    if (const int version = epoxy_gl_version(); version < 45)
+        throw GraphicsError(fmt::format("expected a window with OpenGL 4.5 core, found {}.{} by {}",
+                                        version / 10, version % 10, glString(GL_RENDERER)));
+    listenAndQuery(options.debug, "window");
+}
+
+void Context::listenAndQuery(bool debug, const std::string& platform) {
+    if (debug) {
         glEnable(GL_DEBUG_OUTPUT);
         glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
         glDebugMessageCallback(onDebugMessage, &_onMessage);
     }
-    _info = queryInfo(_egl->display, _egl->platform);
+    _info = queryInfo(eglGetCurrentDisplay(), platform);
 }
 
 Context::~Context() = default;

@@ -34,12 +34,16 @@ struct DeviceInfo {
     std::int64_t maxStorageBlockBytes = 0;
 };
 
-/// An OpenGL 4.5 core context without window or display, current on the thread that made it.
+/// An OpenGL 4.5 core context, by default without window or display, current on the thread that made it.
 /// First choice is EGL's device platform, then the surfaceless one.
 /// Throws GraphicsError when there is no EGL, no such device or no OpenGL 4.5.
 class Context {
   public:
     explicit Context(const ContextOptions& options = {});
+    /// The context that is current already, a window's, say: it is used and stays its owner's. Throws
+    /// GraphicsError when there is none, or none with OpenGL 4.5.
+    struct Current {};
+    Context(Current, const ContextOptions& options);
     ~Context();
     Context(const Context&) = delete;
     Context& operator=(const Context&) = delete;
@@ -51,6 +55,7 @@ class Context {
 
   private:
     struct Egl;
+    void listenAndQuery(bool debug, const std::string& platform);
     std::unique_ptr<Egl> _egl;
     std::function<void(const std::string&)> _onMessage;
     Ledger _ledger;

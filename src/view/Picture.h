@@ -20,6 +20,10 @@ struct Picture {
     std::vector<float> rgb;
 };
 
+/// Luminance, after exposure, that is shown as white. A white wall in the default sun stays below it; only a
+/// caustic's core reaches it.
+inline constexpr float whiteLuminance = 4.0f;
+
 /// 8-bit sRGB of a picture: exposure in stops, then Reinhard's curve on luminance, dithered.
 std::vector<std::uint8_t> toneMapped(const Picture& picture, double exposure);
 

@@ -18,8 +18,6 @@ float dither(std::size_t pixel, std::size_t width) {
     return float(value - std::floor(value));
 }
 
-// A white wall in the default sun stays below this; only a caustic's core reaches it.
-constexpr float white = 4.0f;
 // Keeps values that are whole steps but for rounding at their step where the dither adds nothing.
 constexpr float rounding = 1e-3f;
 } // namespace
@@ -29,7 +27,7 @@ std::vector<std::uint8_t> toneMapped(const Picture& picture, double exposure) {
     const float gain = float(std::exp2(exposure));
     for (std::size_t i = 0; i + 2 < picture.rgb.size(); i += 3) {
         const glm::vec3 linear(picture.rgb[i], picture.rgb[i + 1], picture.rgb[i + 2]);
-        const glm::vec3 shown = shader::reinhard(gain * linear, white);
+        const glm::vec3 shown = shader::reinhard(gain * linear, whiteLuminance);
         const float offset = dither(i / 3, std::size_t(std::max(picture.size.x, 1)));
         for (int c = 0; c < 3; ++c) {
             const float value = shader::srgbEncode(std::clamp(shown[c], 0.0f, 1.0f));

@@ -1,0 +1,180 @@
+#include "apps/viewer/ScenePanel.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "apps/viewer/WaterPanel.h"
+#include "apps/viewer/Widgets.h"
+
+namespace limpid::viewer {
+
+using namespace widgets;
+
+namespace {
+
+constexpr Field power{.speed = 0.02, .min = 0, .max = 1e12};
+constexpr Field angle{.speed = 0.3, .min = -360, .max = 360, .format = "%.2f°"};
+
+/// A drag over the panel moves things by about the scene's size.
+double lengthSpeed(const Scene& scene) {
+    const Bounds bounds = worldBounds(scene);
+    return bounds.empty() ? 0.005 : 0.002 * std::max(glm::length(bounds.size()), 1e-6);
+}
+
+void timeSection(State& state) {
+    if (!section("Time", true)) return;
+    if (ImGui::Button(state.playing ? "Pause" : "Play", ImVec2(4.5f * ImGui::GetFontSize(), 0)))
+        state.playing = !state.playing;
+    hint("Space");
+    ImGui::SameLine();
+    ImGui::PushButtonRepeat(true);
+    if (ImGui::ArrowButton("back", ImGuiDir_Left)) state.step = -1;
+    hint("a frame back (,)");
+    ImGui::SameLine();
+    if (ImGui::ArrowButton("on", ImGuiDir_Right)) state.step = 1;
+    hint("a frame on (.)");
+    ImGui::PopButtonRepeat();
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(-FLT_MIN);
+    number("##time", state.time, {.speed = 0.01, .min = -1e9, .max = 1e9, .format = "%.3f s"}, "time");
+}
+
+void cameraSection(State& state) {
+    if (!section("Camera")) return;
+    Camera& camera = state.scene.camera;
+    const Camera before = camera;
+    const Field length{.speed = lengthSpeed(state.scene)};
+    vector("position", *camera.position, length, "m");
+    vector("target", *camera.target, length, "m");
+    if (*camera.position == *camera.target) camera = before;
+    number("field of view", camera.verticalFov, {.speed = 0.1, .min = 1, .max = 170, .format = "%.1f°"},
+           "from bottom to top");
+    if (ImGui::Button("Frame")) state.frameSelection = true;
+    hint("the picked receiver, or the scene (F)");
+    ImGui::SameLine();
+    if (ImGui::Button("Reset")) state.resetCamera = true;
+    hint("to the scene's own (Home)");
+}
+
+/// A direction as a person thinks of a sun: how high it stands, and where.
+void sunFields(Light& light) {
+    const glm::dvec3 way = glm::normalize(light.direction);
+    double height = glm::degrees(std::asin(std::clamp(-way.y, -1.0, 1.0)));
+    double around = glm::degrees(std::atan2(way.z, way.x));
+    const Field elevation{.speed = 0.2, .min = 1, .max = 90, .format = "%.2f°"};
+    bool changed = number("height", height, elevation, "over the horizon");
+    changed |= number("heading", around, angle, "where its light goes, from x towards z");
+    if (!changed) return;
+    const double across = std::cos(glm::radians(height));
+    light.direction = {across * std::cos(glm::radians(around)), -std::sin(glm::radians(height)),
+                       across * std::sin(glm::radians(around))};
+}
+
+void lightFields(State& state, Light& light) {
+    const Field length{.speed = lengthSpeed(state.scene)};
+    if (light.type == LightType::Directional) {
+        sunFields(light);
+        vector("irradiance", light.irradiance, power, "W/m² on a plane facing it, RGB");
+        return;
+    }
+    vector("position", light.position, length, "m");
+    vector("intensity", light.intensity, power, "W/sr, RGB");
+    if (!light.isSpot()) return;
+    glm::dvec3 direction = light.direction;
+    if (vector("direction", direction, {.speed = 0.01}) && glm::dot(direction, direction) > 1e-6)
+        light.direction = direction;
+    number("outer cone", light.outerCone, {.speed = 0.1, .min = 0.1, .max = 90, .format = "%.1f°"});
+    number("inner cone", light.innerCone,
+           {.speed = 0.1, .min = 0, .max = 0.99 * light.outerCone, .format = "%.1f°"});
+    light.innerCone = std::min(light.innerCone, 0.99 * light.outerCone);
+}
+
+void lightSection(State& state) {
+    if (!section("Lights")) return;
+    for (std::size_t i = 0; i < state.scene.lights.size(); ++i) {
+        Light& light = state.scene.lights[i];
+        const ImGuiTreeNodeFlags open = state.scene.lights.size() == 1 ? ImGuiTreeNodeFlags_DefaultOpen : 0;
+        if (!ImGui::TreeNodeEx(light.name.c_str(), open)) continue;
+        lightFields(state, light);
+        ImGui::TreePop();
+    }
+    if (state.scene.lights.empty()) ImGui::TextDisabled("none");
+}
+
+void receiverFields(State& state, Receiver& receiver) {
+    const Field length{.speed = lengthSpeed(state.scene)};
+    vector("translation", receiver.translation, length, "m");
+    // Angles about x, y and z. The turn is kept as a quaternion and shown as angles near by.
+    glm::dvec3 angles = glm::degrees(glm::eulerAngles(receiver.rotation));
+    if (vector("rotation", angles, angle, "degrees about x, y and z"))
+        receiver.rotation = glm::normalize(glm::dquat(glm::radians(angles)));
+    glm::dvec3 scale = receiver.scale;
+    if (vector("scale", scale, {.speed = 0.005}) && scale.x != 0 && scale.y != 0 && scale.z != 0)
+        receiver.scale = scale;
+    ImGui::TextDisabled("%zu triangles", receiver.mesh->triangleCount());
+}
+
+void receiverSection(State& state) {
+    if (!section("Receivers", true)) return;
+    for (std::size_t i = 0; i < state.scene.receivers.size(); ++i) {
+        Receiver& receiver = state.scene.receivers[i];
+        const bool selected = state.selected == int(i);
+        ImGui::PushID(int(i));
+        if (ImGui::Selectable(receiver.name.c_str(), selected))
+            state.selected = selected ? std::nullopt : std::optional<int>(int(i));
+        if (state.selected == int(i)) receiverFields(state, receiver);
+        ImGui::PopID();
+    }
+    if (!state.selected) ImGui::TextDisabled("click one, here or in the picture");
+}
+
+void methodSection(State& state) {
+    if (!section("Method", true)) return;
+    CausticsSettings& caustics = state.scene.caustics;
+    methodCombo("method", caustics.method);
+    wholeNumber("map size", caustics.mapSize, 16, 8192, "texels on the longer side of a map");
+    if (caustics.method == Method::ExactBeam) return;
+    wholeNumber("planes", caustics.planes, 1, 512, "reference planes of a box, before slicing drops any");
+    if (caustics.method != Method::LevelMapSmart) return;
+    int slicing = int(caustics.slicing);
+    if (ImGui::Combo("slicing", &slicing, "automatic\0levels (thesis)\0"))
+        caustics.slicing = static_cast<Slicing>(slicing);
+    if (caustics.slicing != Slicing::Levels) return;
+    wholeNumber("depth levels", caustics.depthLevels, 1, 1024);
+    number("threshold", caustics.threshold, {.speed = 0.0005, .min = 1e-4, .max = 1}, "of the box's height");
+}
+
+void lookSection(State& state) {
+    if (!section("Light around and exposure")) return;
+    number("exposure", state.scene.camera.exposure,
+           {.speed = 0.02, .min = -64, .max = 64, .format = "%.2f stops"}, "- and +");
+    const Field radiance{.speed = 0.005, .min = 0, .max = 1e12};
+    vector("sky", state.scene.skyRadiance, radiance, "W/(m² sr), seen by reflection and through the surface");
+    vector("ambient", state.scene.ambientRadiance, radiance, "W/(m² sr), on all receivers");
+}
+
+} // namespace
+
+void methodCombo(const char* label, Method& method) {
+    if (!ImGui::BeginCombo(label, std::string(methodName(method)).c_str())) return;
+    for (const Method each : allMethods())
+        if (ImGui::Selectable(std::string(methodName(each)).c_str(), each == method)) method = each;
+    ImGui::EndCombo();
+}
+
+void scenePanel(State& state) {
+    ImGui::PushItemWidth(-0.37f * ImGui::GetContentRegionAvail().x);
+    timeSection(state);
+    receiverSection(state);
+    methodSection(state);
+    lightSection(state);
+    waterSection(state, lengthSpeed(state.scene));
+    wavesSection(state, lengthSpeed(state.scene));
+    cameraSection(state);
+    lookSection(state);
+    ImGui::PopItemWidth();
+}
+
+} // namespace limpid::viewer

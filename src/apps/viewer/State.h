@@ -1,0 +1,69 @@
+#pragma once
+#include <deque>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "apps/viewer/Display.h"
+#include "scene/Scene.h"
+
+namespace limpid::viewer {
+
+/// What panels and keys change, as plain data; the window shows it.
+struct State {
+    std::filesystem::path file; ///< empty without a scene
+    Scene loaded;               ///< as the file has it, choices of the engine filled in
+    Scene scene;                ///< as it is now
+    double time = 0;            ///< s
+    bool playing = false;
+    std::optional<int> selected; ///< receiver
+    int light = 0;               ///< that maps and beams are shown of
+
+    bool panels = true;                                                       ///< all of the interface
+    bool keys = false;                                                        ///< what `?` shows
+    enum class Side { None, Measure, Understand, Compare } side = Side::None; ///< the panel on the right
+    bool boxes = false, planes = false, beams = false;                        ///< drawn over the scene
+    std::optional<Method> other;                                              ///< compared with
+    Shown shown;
+    std::string message; ///< what went wrong last; empty: nothing
+    std::string notice;  ///< what went well last
+
+    // Asked for by a panel or a key, done by the viewer.
+    bool askOpen = false; ///< which file to open
+    std::string openName; ///< as it is being typed
+    std::string open;     ///< a file
+    bool savePicture = false;
+    bool askSave = false;  ///< where to save the scene
+    std::string saveScene; ///< a file
+    bool replace = false;  ///< `saveScene` may exist
+    bool record = false;   ///< toggles
+    bool frameSelection = false;
+    bool resetCamera = false;
+    int step = 0; ///< frames of time
+    bool leave = false;
+
+    bool recording = false;
+    bool fullscreen = false;
+
+    bool hasScene() const { return !file.empty(); }
+};
+
+/// What the measure panel shows: the last pictures' times by pass, ms, oldest first.
+struct Measured {
+    static constexpr std::size_t kept = 120;
+    struct Frame {
+        std::vector<std::pair<std::string, double>> passes;
+    };
+    std::deque<Frame> frames;
+    std::vector<double> answersMs; ///< from taking a change of the user's to its picture in the window
+    double firstPictureMs = 0;     ///< from the start of the program
+
+    void add(const std::vector<std::pair<std::string, double>>& passes) {
+        frames.push_back({passes});
+        if (frames.size() > kept) frames.pop_front();
+    }
+};
+
+} // namespace limpid::viewer

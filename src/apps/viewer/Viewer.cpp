@@ -1,0 +1,240 @@
+#include "apps/viewer/Viewer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include "apps/viewer/CameraControl.h"
+#include "apps/viewer/Interface.h"
+#include "apps/viewer/Window.h"
+#include "core/Error.h"
+#include "core/Statistics.h"
+#include "engine/Framing.h"
+#include "engine/Warnings.h"
+#include "io/Images.h"
+#include "io/SceneFile.h"
+
+namespace limpid::viewer {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using Ms = std::chrono::duration<double, std::milli>;
+
+constexpr double framesPerSecond = 30; ///< of what `,` and `.` step through
+
+Window::Options windowOptions(const Options& options) {
+    Window::Options window{options.size, options.interfaceScale};
+#ifndef NDEBUG
+    window.debug = true;
+#endif
+    return window;
+}
+
+gl::ContextOptions contextOptions() {
+    gl::ContextOptions options;
+#ifndef NDEBUG
+    options.debug = true;
+#endif
+    return options;
+}
+
+State::Side sideNamed(const std::string& name) {
+    if (name == "measure") return State::Side::Measure;
+    if (name == "understand") return State::Side::Understand;
+    if (name == "compare") return State::Side::Compare;
+    return State::Side::None;
+}
+
+/// The window and all that it shows.
+class Viewer {
+  public:
+    explicit Viewer(const Options& options)
+        : _options(options), _window(windowOptions(options)),
+          _context(gl::Context::Current{}, contextOptions()), _stage(_context, !options.noSkip) {
+        _state.time = options.time;
+        _state.playing = options.play;
+        _state.side = sideNamed(options.panel);
+    }
+
+    void run() {
+        if (!_options.file.empty()) load(_options.file, _options.load);
+        select(_options.select);
+        while (!_window.closes() && !_state.leave && !_done)
+            frame();
+        if (_options.verbose) report();
+    }
+
+  private:
+    void load(const std::filesystem::path& file, const std::function<Scene()>& read);
+    void select(const std::string& name);
+    void frame();
+    double waitingTime() const;
+    void doRequests();
+    void advanceTime(double seconds);
+    void makePicture(const Layout& layout);
+    void frameSelection();
+    void looked(Clock::time_point taken);
+    void takeScreenshot();
+    void fail(const std::exception& error);
+    void report() const;
+
+    const Options& _options;
+    Window _window;
+    gl::Context _context;
+    Stage _stage;
+    State _state;
+    Measured _measured;
+    Clock::time_point _last = Clock::now();
+    Scene _before; ///< what the last frame showed
+    int _lively = 0;
+    bool _worked = false, _done = false;
+    int _completeFrames = 0;
+};
+
+void Viewer::fail(const std::exception& error) {
+    _state.message = error.what();
+    _state.playing = false;
+}
+
+void Viewer::load(const std::filesystem::path& file, const std::function<Scene()>& read) {
+    try {
+        Scene scene = read();
+        frameCamera(scene);
+        Engine::requireScene(scene, _context);
+        _state.loaded = scene;
+        _state.scene = std::move(scene);
+        _state.file = file;
+        _state.selected.reset();
+        _state.light = 0;
+        _state.message.clear();
+        _state.notice.clear();
+        _window.setTitle(file.filename().string() + " – Limpid");
+        const auto warnings = sceneWarnings(_state.scene, coveringPatch(_state.scene));
+        if (!warnings.empty()) _state.message = fmt::format("{}", fmt::join(warnings, "\n"));
+    } catch (const std::exception& error) {
+        fail(error);
+    }
+}
+
+void Viewer::select(const std::string& name) {
+    if (name.empty() || !_state.hasScene()) return;
+    const auto& receivers = _state.scene.receivers;
+    for (std::size_t i = 0; i < receivers.size(); ++i)
+        if (receivers[i].name == name) _state.selected = int(i);
+    if (!_state.selected)
+        _state.message = fmt::format("--select: expected the name of a receiver, found \"{}\"", name);
+}
+
+/// How long events may be waited for.
+double Viewer::waitingTime() const {
+    if (_lively > 0 || _worked || _state.playing || !_options.screenshot.empty()) return 0;
+    return _stage.rests() || !_state.hasScene() ? 0.5 : 0.02;
+}
+
+void Viewer::frameSelection() {
+    Bounds bounds;
+    if (_state.selected) bounds = worldBounds(_state.scene.receivers[std::size_t(*_state.selected)]);
+    if (!_state.selected) bounds = worldBounds(_state.scene);
+    viewer::frame(_state.scene.camera, bounds, _state.scene.water);
+}
+
+void Viewer::doRequests() {
+    if (const std::string file = std::exchange(_state.open, ""); !file.empty())
+        load(file, [&] { return io::loadScene(file); });
+    for (const auto& file : _window.takeDropped())
+        load(file, [&] { return io::loadScene(file); });
+    if (std::exchange(_state.frameSelection, false)) frameSelection();
+    if (std::exchange(_state.resetCamera, false)) {
+        const double exposure = _state.scene.camera.exposure;
+        _state.scene.camera = _state.loaded.camera;
+        _state.scene.camera.exposure = exposure;
+    }
+    _window.setFullscreen(_state.fullscreen);
+}
+
+void Viewer::advanceTime(double seconds) {
+    // A frame that took long must not make the water leap.
+    if (_state.playing) _state.time += std::min(seconds, 0.2);
+    if (const int step = std::exchange(_state.step, 0); step != 0) {
+        _state.playing = false;
+        _state.time = (std::round(_state.time * framesPerSecond) + step) / framesPerSecond;
+    }
+}
+
+void Viewer::makePicture(const Layout& layout) {
+    if (!_state.hasScene()) return;
+    _state.shown.exposure = _state.scene.camera.exposure;
+    try {
+        Wanted wanted{_state.scene, _state.time, layout.picture.size, _state.other};
+        // It is the display that exposes.
+        wanted.scene.camera.exposure = 0;
+        _stage.want(wanted);
+        _stage.setShown(_state.shown);
+        _worked = _stage.work();
+        if (_worked) _measured.add(_stage.passes());
+        _worked = _worked || _stage.refines();
+    } catch (const InputError& error) {
+        fail(error);
+    }
+}
+
+/// The picture of this frame is in the window; what the user did was taken at `taken`.
+void Viewer::looked(Clock::time_point taken) {
+    const auto now = Clock::now();
+    if (_measured.firstPictureMs == 0 && _stage.display())
+        _measured.firstPictureMs = Ms(now - _options.begin).count();
+    else if (_state.scene != _before && _state.hasScene())
+        _measured.answersMs.push_back(Ms(now - taken).count());
+    _before = _state.scene;
+    if (_stage.rests() || _state.playing || !_state.hasScene()) ++_completeFrames;
+}
+
+void Viewer::takeScreenshot() {
+    if (_options.screenshot.empty() || _completeFrames < _options.afterFrames) return;
+    const glm::ivec2 size = _window.size();
+    io::writePng(_options.screenshot, size.x, size.y, _window.pixels());
+    _done = true;
+}
+
+void Viewer::frame() {
+    const auto waited = Clock::now();
+    const double patience = waitingTime();
+    _window.takeEvents(patience);
+    const auto taken = Clock::now();
+    // Dear ImGui takes a few frames to settle after something happened.
+    if (Ms(taken - waited).count() < 900 * patience || patience == 0) _lively = std::max(_lively - 1, 0);
+    if (patience > 0 && Ms(taken - waited).count() < 900 * patience) _lively = 3;
+    const double seconds = Ms(taken - _last).count() / 1000;
+    _last = taken;
+    if (_window.size().x < 1 || _window.size().y < 1) return;
+    _window.beginInterface();
+    Layout layout = layoutOf(_state, _window.size());
+    if (takeInput(_state, layout.picture, seconds)) _lively = 3;
+    drawInterface(_state, _stage, _context, layout);
+    doRequests();
+    advanceTime(seconds);
+    layout = layoutOf(_state, _window.size());
+    makePicture(layout);
+    drawPicture(_stage, layout);
+    _window.endInterface([&] { takeScreenshot(); });
+    looked(taken);
+}
+
+void Viewer::report() const {
+    fmt::print("first picture after {:.0f} ms\n", _measured.firstPictureMs);
+    if (!_measured.answersMs.empty())
+        fmt::print("{} changes answered in {:.0f} ms (median)\n", _measured.answersMs.size(),
+                   spreadOf(_measured.answersMs).median);
+}
+
+} // namespace
+
+void show(const Options& options) {
+    Viewer(options).run();
+}
+
+} // namespace limpid::viewer
