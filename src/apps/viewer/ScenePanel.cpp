@@ -107,7 +107,7 @@ void receiverFields(State& state, Receiver& receiver) {
     const Field length{.speed = lengthSpeed(state.scene)};
     vector("translation", receiver.translation, length, "m");
     // Angles about x, y and z. The turn is kept as a quaternion and shown as angles near by.
-    glm::dvec3 angles = glm::degrees(glm::eulerAngles(receiver.rotation));
+    glm::dvec3 angles = glm::degrees(glm::eulerAngles(receiver.rotation)) + 0.0; // no -0
     if (vector("rotation", angles, angle, "degrees about x, y and z"))
         receiver.rotation = glm::normalize(glm::dquat(glm::radians(angles)));
     glm::dvec3 scale = receiver.scale;

@@ -91,7 +91,7 @@ class Viewer {
     Clock::time_point _last = Clock::now();
     Scene _before; ///< what the last frame showed
     int _lively = 0;
-    bool _worked = false, _done = false;
+    bool _worked = false, _done = false, _rested = false;
     int _completeFrames = 0;
 };
 
@@ -190,6 +190,13 @@ void Viewer::looked(Clock::time_point taken) {
     else if (_state.scene != _before && _state.hasScene())
         _measured.answersMs.push_back(Ms(now - taken).count());
     _before = _state.scene;
+    if (const bool rests = _state.hasScene() && _stage.rests(); rests != _rested) {
+        _rested = rests;
+        if (rests && _options.verbose) {
+            fmt::print("picture complete at {:.3f} s\n", Ms(now - _options.begin).count() / 1000);
+            std::fflush(stdout);
+        }
+    }
     if (_stage.rests() || _state.playing || !_state.hasScene()) ++_completeFrames;
 }
 
@@ -201,13 +208,10 @@ void Viewer::takeScreenshot() {
 }
 
 void Viewer::frame() {
-    const auto waited = Clock::now();
-    const double patience = waitingTime();
-    _window.takeEvents(patience);
+    _window.waitForEvents(waitingTime());
     const auto taken = Clock::now();
     // Dear ImGui takes a few frames to settle after something happened.
-    if (Ms(taken - waited).count() < 900 * patience || patience == 0) _lively = std::max(_lively - 1, 0);
-    if (patience > 0 && Ms(taken - waited).count() < 900 * patience) _lively = 3;
+    _lively = _window.hasEvents() ? 3 : std::max(_lively - 1, 0);
     const double seconds = Ms(taken - _last).count() / 1000;
     _last = taken;
     if (_window.size().x < 1 || _window.size().y < 1) return;

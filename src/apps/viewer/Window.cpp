@@ -1,6 +1,7 @@
 #include "apps/viewer/Window.h"
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 #include <cstring>
 #include <utility>
@@ -72,14 +73,65 @@ Window::Glfw::~Glfw() {
 
 Window::Window(const Options& options) {
     create(options);
-    glfwSetWindowUserPointer(_window, this);
-    glfwSetDropCallback(_window, [](GLFWwindow* window, int count, const char** paths) {
-        auto& self = *static_cast<Window*>(glfwGetWindowUserPointer(window));
-        self._dropped.insert(self._dropped.end(), paths, paths + count);
-    });
+    listen();
     float x = 1, y = 1;
     glfwGetWindowContentScale(_window, &x, &y);
     startInterface(options.interfaceScale > 0 ? options.interfaceScale : double(std::max(x, 1.0f)));
+}
+
+/// Everything goes through the queue; Dear ImGui's own way of asking for the state of things would miss some.
+void Window::listen() {
+    glfwSetWindowUserPointer(_window, this);
+    static const auto of = [](GLFWwindow* window) -> Window& {
+        return *static_cast<Window*>(glfwGetWindowUserPointer(window));
+    };
+    using Type = Event::Type;
+    glfwSetDropCallback(_window, [](GLFWwindow* window, int count, const char** paths) {
+        of(window)._dropped.insert(of(window)._dropped.end(), paths, paths + count);
+    });
+    glfwSetCursorPosCallback(_window, [](GLFWwindow* window, double x, double y) {
+        of(window)._events.push({Type::Move, {x, y}});
+    });
+    glfwSetCursorEnterCallback(_window, [](GLFWwindow* window, int entered) {
+        if (!entered) of(window)._events.push({Type::Leave});
+    });
+    glfwSetMouseButtonCallback(_window, [](GLFWwindow* window, int button, int action, int modifiers) {
+        of(window)._events.push({Type::Button, {}, button, 0, action, modifiers});
+    });
+    glfwSetScrollCallback(_window, [](GLFWwindow* window, double x, double y) {
+        of(window)._events.push({Type::Wheel, {x, y}});
+    });
+    glfwSetKeyCallback(_window, [](GLFWwindow* window, int key, int scancode, int action, int modifiers) {
+        of(window)._events.push({Type::Key, {}, key, scancode, action, modifiers});
+    });
+    glfwSetCharCallback(_window, [](GLFWwindow* window, unsigned letter) {
+        of(window)._events.push({Type::Letter, {}, int(letter)});
+    });
+    glfwGetCursorPos(_window, &_mouse.x, &_mouse.y);
+}
+
+void Window::take(const Event& event) {
+    switch (event.type) {
+    case Event::Type::Move:
+        _mouse = event.at;
+        break;
+    case Event::Type::Leave:
+        _mouse = glm::dvec2(-FLT_MAX);
+        break;
+    case Event::Type::Button:
+        if (event.code >= 0 && event.code < int(_buttons.size()))
+            _buttons[std::size_t(event.code)] = event.action == GLFW_PRESS;
+        break;
+    case Event::Type::Wheel:
+        ImGui_ImplGlfw_ScrollCallback(_window, event.at.x, event.at.y);
+        break;
+    case Event::Type::Key:
+        ImGui_ImplGlfw_KeyCallback(_window, event.code, event.scancode, event.action, event.modifiers);
+        break;
+    case Event::Type::Letter:
+        ImGui_ImplGlfw_CharCallback(_window, unsigned(event.code));
+        break;
+    }
 }
 
 void Window::create(const Options& options) {
@@ -107,7 +159,7 @@ void Window::startInterface(double scale) {
     io.IniFilename = nullptr;
     setStyle(scale);
     loadFont(scale);
-    ImGui_ImplGlfw_InitForOpenGL(_window, true);
+    ImGui_ImplGlfw_InitForOpenGL(_window, false);
     ImGui_ImplOpenGL3_Init("#version 450 core");
 }
 
@@ -151,8 +203,8 @@ glm::ivec2 Window::size() const {
     return size;
 }
 
-void Window::takeEvents(double seconds) {
-    if (seconds > 0)
+void Window::waitForEvents(double seconds) {
+    if (seconds > 0 && _events.empty())
         glfwWaitEventsTimeout(seconds);
     else
         glfwPollEvents();
@@ -165,6 +217,10 @@ std::vector<std::filesystem::path> Window::takeDropped() {
 void Window::beginInterface() {
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
+    _events.takeFrame([&](const Event& event) { take(event); });
+    ImGuiIO& io = ImGui::GetIO();
+    io.MousePos = ImVec2(float(_mouse.x), float(_mouse.y));
+    std::copy(_buttons.begin(), _buttons.end(), io.MouseDown);
     ImGui::NewFrame();
 }
 

@@ -5,6 +5,7 @@
 
 #include <glm/glm.hpp>
 
+#include "apps/viewer/Events.h"
 #include "gl/Context.h"
 
 struct GLFWwindow;
@@ -34,8 +35,10 @@ class Window {
     glm::ivec2 size() const;
     double interfaceScale() const { return _scale; }
 
-    /// Takes what mouse and keyboard did; waits for it for up to `seconds`.
-    void takeEvents(double seconds);
+    /// Waits for up to `seconds` for mouse or keyboard to do something, unless there is more to take already.
+    void waitForEvents(double seconds);
+    /// Whether the next frame takes an event.
+    bool hasEvents() const { return !_events.empty(); }
     /// Files dropped onto the window since the last call.
     std::vector<std::filesystem::path> takeDropped();
 
@@ -53,6 +56,8 @@ class Window {
 
   private:
     void create(const Options& options);
+    void listen();
+    void take(const Event& event);
     void startInterface(double scale);
     void drawInterface();
     void swap();
@@ -69,6 +74,9 @@ class Window {
     bool _fullscreen = false;
     glm::ivec4 _windowed{0};
     std::vector<std::filesystem::path> _dropped;
+    EventQueue _events;
+    glm::dvec2 _mouse{0};
+    std::array<bool, 5> _buttons{};
 };
 
 } // namespace limpid::viewer

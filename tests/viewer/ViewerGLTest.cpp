@@ -1,0 +1,246 @@
+// The viewer as its user has it: real mouse and keyboard events go in through an X server, and what comes out
+// is what that server's screen shows.
+#include <functional>
+
+#include "apps/RunProgram.h"
+#include "io/Images.h"
+#include "io/TempFolder.h"
+#include "viewer/Display.h"
+
+namespace limpid::test {
+namespace {
+
+constexpr const char* pond = R"(# A ball in a pond.
+[camera]
+position = [0.9, 1.3, 1.6]
+target = [0, -0.3, 0]
+
+[water]
+grid = [24, 24]
+
+[[water.wave]]
+amplitude = 0.01    # m
+wavelength = 0.5
+speed = 0.5
+
+[[light]]
+name = "sun"
+direction = [0.3, -1, 0.1]
+irradiance = [3, 3, 3]
+
+[[receiver]]
+name = "floor"
+plane = { size = [2, 2] }
+translation = [0, -0.8, 0]
+
+[[receiver]]            # what it is about
+name = "ball"
+sphere = { radius = 0.3 }
+translation = [0, -0.3, 0]
+
+[caustics]
+map_size = 64
+)";
+
+/// Small, for software renders it.
+constexpr glm::ivec2 screenSize{448, 336};
+constexpr const char* shape = "--size 448x336 --interface-scale 0.7";
+/// What no panel covers, with the panels that the viewer starts with.
+constexpr glm::ivec2 pictureFrom{205, 20}, pictureTo{445, 315};
+constexpr glm::ivec2 panelFrom{0, 20}, panelTo{200, 315};
+constexpr glm::ivec2 ball{322, 150};
+
+class ViewerGLTest : public ::testing::Test {
+  protected:
+    void TearDown() override {
+        if (_viewer <= 0) return;
+        kill(_viewer, SIGTERM);
+        waitpid(_viewer, nullptr, 0);
+    }
+
+    void open(const std::string& input, std::vector<std::string> more = {}) {
+        ASSERT_FALSE(display.name().empty()) << "Xvfb did not start: install what tools/packages lists";
+        std::vector<std::string> words = {
+            LIMPID_BUILD "/limpid", "view", input, "--verbose", "--size", "448x336",
+            "--interface-scale",    "0.7"};
+        words.insert(words.end(), more.begin(), more.end());
+        _viewer = start(words, output(), display.name());
+    }
+    void openPond() {
+        open(folder.write("pond.toml", pond).string());
+        ASSERT_TRUE(completes());
+        display.send(fmt::format("mousemove {} {}", ball.x, ball.y));
+        first = screen();
+    }
+
+    fs::path output() const { return folder.path() / "viewer.txt"; }
+    std::string said() const {
+        std::ifstream file(output());
+        return {std::istreambuf_iterator<char>(file), {}};
+    }
+    int completed() const {
+        const std::string text = said();
+        int count = 0;
+        for (std::size_t at = 0; (at = text.find("picture complete", at)) != std::string::npos; ++at)
+            ++count;
+        return count;
+    }
+    bool runs() const { return waitpid(_viewer, nullptr, WNOHANG) == 0; }
+
+    /// Whether it becomes true before a slow machine's patience ends.
+    static bool until(const std::function<bool()>& is) {
+        for (const auto end = Clock::now() + std::chrono::seconds(60); Clock::now() < end;
+             std::this_thread::sleep_for(std::chrono::milliseconds(20)))
+            if (is()) return true;
+        return false;
+    }
+    bool completes() {
+        const bool done = until([&] { return completed() > _seen; });
+        _seen = completed();
+        return done;
+    }
+    Screen screen() const { return display.screen(); }
+    /// Sends events that change the picture, and waits for all of it.
+    void act(const std::string& commands) {
+        _seen = completed();
+        display.send(commands);
+        EXPECT_TRUE(completes()) << commands;
+    }
+    /// Sends events, and waits for the picture to look different by `share` of its pixels.
+    void change(const std::string& commands, double share) {
+        const Screen before = screen();
+        display.send(commands);
+        EXPECT_TRUE(until([&] { return pictureChange(before, screen()) > share; })) << commands;
+    }
+    double pictureChange(const Screen& a, const Screen& b) const {
+        return changed(a, b, pictureFrom, pictureTo);
+    }
+    /// All pixels but the status bar, which counts frames.
+    static double anyChange(const Screen& a, const Screen& b) { return changed(a, b, {0, 0}, {448, 318}); }
+
+    TempFolder folder;
+    Display display{folder.path(), screenSize};
+    Screen first;
+
+  private:
+    pid_t _viewer = -1;
+    int _seen = 0;
+};
+
+TEST_F(ViewerGLTest, aDragOrbits) {
+    openPond();
+    change("mousedown 1 mousemove 300 140 mousemove 260 120 mouseup 1", 0.3);
+}
+
+TEST_F(ViewerGLTest, wheelPanAndKeysMoveTheCamera) {
+    openPond();
+    change("click 4", 0.3);
+    change("mousedown 3 mousemove 350 170 mouseup 3", 0.3);
+    change("keydown d sleep 0.1 keyup d", 0.3);
+    change("key f", 0.3);
+    display.send(fmt::format("key Home mousemove {} {}", ball.x, ball.y));
+    EXPECT_TRUE(until([&] { return anyChange(first, screen()) == 0; }));
+}
+
+TEST_F(ViewerGLTest, questionMarkShowsTheKeys) {
+    openPond();
+    display.send("key question");
+    EXPECT_TRUE(until([&] { return pictureChange(first, screen()) > 0.5; }));
+    display.send("key Escape");
+    EXPECT_TRUE(until([&] { return anyChange(first, screen()) == 0; }));
+}
+
+TEST_F(ViewerGLTest, tabGivesThePictureTheWholeWindow) {
+    openPond();
+    display.send("key Tab");
+    // Nothing is left of the panel.
+    EXPECT_TRUE(until([&] { return changed(first, screen(), panelFrom, panelTo) > 0.9; }));
+    display.send("key Tab");
+    EXPECT_TRUE(until([&] { return anyChange(first, screen()) == 0; }));
+}
+
+TEST_F(ViewerGLTest, timePlaysStepsAndStops) {
+    openPond();
+    change("key period", 0.2);
+    display.send("key comma");
+    EXPECT_TRUE(until([&] { return anyChange(first, screen()) == 0; }));
+    change("key space", 0.2);
+    const Screen playing = screen();
+    EXPECT_TRUE(until([&] { return pictureChange(playing, screen()) > 0.2; }));
+    act("key space");
+}
+
+TEST_F(ViewerGLTest, aClickPicksAndShowsFields) {
+    openPond();
+    display.send(fmt::format("mousemove {} {} click 1", ball.x, ball.y));
+    EXPECT_TRUE(until([&] { return changed(first, screen(), panelFrom, panelTo) > 0.02; }));
+    EXPECT_EQ(pictureChange(first, screen()), 0);
+    display.send("key Escape");
+    EXPECT_TRUE(until([&] { return anyChange(first, screen()) == 0; }));
+}
+
+TEST_F(ViewerGLTest, aFieldOfThePanelChangesTheScene) {
+    openPond();
+    // The ball's row, then the middle number of its translation, which is its height.
+    display.send(fmt::format("mousemove {} {} click 1", ball.x, ball.y));
+    ASSERT_TRUE(until([&] { return changed(first, screen(), panelFrom, panelTo) > 0.02; }));
+    change("mousemove 52 104 mousedown 1 mousemove 62 104 mousemove 92 104 mouseup 1", 0.05);
+}
+
+TEST_F(ViewerGLTest, wrongFilesAreToldInTheWindow) {
+    open((folder.path() / "missing.toml").string());
+    const auto red = [&] {
+        const glm::ivec3 pixel = screen().at(222, 30);
+        return pixel.r > 80 && pixel.g < 60 && pixel.b < 60;
+    };
+    EXPECT_TRUE(until(red));
+    EXPECT_TRUE(runs());
+    // The window goes on, and takes a file that is right.
+    const fs::path good = folder.write("pond.toml", pond);
+    display.send("mousemove 322 250 key ctrl+o sleep 0.5");
+    display.send(fmt::format("type --delay 1 {}", good.string()));
+    display.send("sleep 0.5 key Return");
+    EXPECT_TRUE(completes()) << said();
+    EXPECT_FALSE(red());
+    // Another wrong one leaves the scene where it is.
+    first = screen();
+    display.send("key ctrl+o sleep 0.5");
+    display.send(fmt::format("type --delay 1 {}", folder.write("odd.toml", "[watr]").string()));
+    display.send("sleep 0.5 key Return");
+    EXPECT_TRUE(until([&] { return red(); }));
+    EXPECT_EQ(changed(first, screen(), {205, 120}, {445, 315}), 0);
+    EXPECT_TRUE(runs());
+}
+
+TEST_F(ViewerGLTest, screenshotTakesTheWindowAndLeaves) {
+    const fs::path scene = folder.write("pond.toml", pond), file = folder.path() / "window.png";
+    const Result result =
+        run(fmt::format("view {} {} --screenshot {} --after-frames 3", scene.string(), shape, file.string()),
+            fmt::format("DISPLAY={}", display.name()));
+    EXPECT_EQ(result.code, 0) << result.out;
+    const io::FloatImage shot = io::readImage(file);
+    EXPECT_EQ(shot.width, screenSize.x);
+    EXPECT_EQ(shot.height, screenSize.y);
+    // Panel on the left, picture on the right: two colours and many.
+    openPond();
+    display.send("mousemove 300 330"); // the X server draws the arrow into its screen
+    ASSERT_TRUE(until([&] { return anyChange(first, screen()) > 0; }));
+    first = screen();
+    int different = 0;
+    for (int y = 0; y < 318; ++y)
+        for (int x = 0; x < 448; ++x)
+            for (int c = 0; c < 3; ++c)
+                different +=
+                    std::lround(255 * shot.data[std::size_t(3 * (y * 448 + x) + c)]) != first.at(x, y)[c];
+    EXPECT_EQ(different, 0);
+}
+
+TEST(ViewerWithoutDisplay, leavesWithOneLine) {
+    const Result result = run("view " LIMPID_ROOT "/models/teapot.glb", "env -u DISPLAY -u WAYLAND_DISPLAY");
+    EXPECT_EQ(result.code, 3);
+    EXPECT_TRUE(result.out.starts_with("limpid: no display to open a window on")) << result.out;
+    EXPECT_EQ(std::count(result.out.begin(), result.out.end(), '\n'), 1) << result.out;
+}
+
+} // namespace
+} // namespace limpid::test
