@@ -1,0 +1,150 @@
+// A changed scene, written and read again, is the changed scene; what did not change stays as its author
+// wrote it.
+#include "io/SceneDocument.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "io/SceneSettings.h"
+#include "io/TempFolder.h"
+#include "io/WaterPresets.h"
+
+namespace limpid::io {
+namespace {
+
+using test::TempFolder;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+constexpr const char* pool = R"(# Grüße: a pool, "quoted" # twice
+[water]                 # the water
+absorption = [0.3, 0.1, 0.05] # red goes first
+grid = [64, 64]
+
+[[water.wave]]
+amplitude = 0.01        # m
+wavelength = 0.5
+
+[[light]]
+name = "sun"
+direction = [0.3, -1, 0.1] # from the left
+
+[[receiver]] # what caustics fall on
+name = "floor"
+plane = { size = [2, 2] }
+translation = [0, -1, 0]
+)";
+
+/// Saves `changed` in the document's folder, or in `folder`, and reads it again.
+Scene again(const SceneDocument& document, const Scene& changed, const TempFolder& folder,
+            std::string* text = nullptr) {
+    const std::string saved = document.textOf(changed, folder.path());
+    if (text) *text = saved;
+    return loadScene(folder.write("again.toml", saved));
+}
+
+void expectSame(const Scene& a, const Scene& b) {
+    const auto one = settingsOf(a), two = settingsOf(b);
+    ASSERT_EQ(one.size(), two.size());
+    for (std::size_t i = 0; i < one.size(); ++i)
+        EXPECT_EQ(one[i].value, two[i].value) << one[i].section << ' ' << one[i].key;
+}
+
+TEST(SceneDocument, withoutAChangeTheTextIsTheSame) {
+    const TempFolder folder;
+    const SceneDocument document(folder.write("pool.toml", pool));
+    EXPECT_EQ(document.textOf(document.scene(), folder.path()), pool);
+}
+
+TEST(SceneDocument, changesJustWhatChanged) {
+    const TempFolder folder;
+    const SceneDocument document(folder.write("pool.toml", pool));
+    Scene changed = document.scene();
+    changed.water.absorption = {0.1, 0.2, 1.0 / 3};
+    changed.water.waves[0].amplitude = 0.0125;
+    changed.water.waves[0].phase = 30;
+    changed.lights[0].direction = {1, -2, 0.5};
+    changed.camera.position = {1, 2, 3};
+    changed.camera.target = {0, -1, 1e-7};
+    changed.caustics.method = Method::LevelMap;
+    changed.receivers[0].scale = {1, 2, 1};
+    std::string text;
+    expectSame(again(document, changed, folder, &text), changed);
+    for (const char* kept :
+         {"# Grüße: a pool, \"quoted\" # twice\n[water]                 # the water\n",
+          "absorption = [0.1, 0.2, 0.3333333333333333] # red goes first\n",
+          "amplitude = 0.0125        # m\nwavelength = 0.5\n", "grid = [64, 64]\n",
+          "direction = [1, -2, 0.5] # from the left\n", "[[receiver]] # what caustics fall on\n"})
+        EXPECT_THAT(text, HasSubstr(kept));
+}
+
+TEST(SceneDocument, wavesComeAndGo) {
+    const TempFolder folder;
+    const SceneDocument document(folder.write("pool.toml", pool));
+    Scene changed = document.scene();
+    changed.water.waves = presetWaves(2, {0, 0});
+    std::string text;
+    expectSame(again(document, changed, folder, &text), changed);
+    EXPECT_THAT(text, HasSubstr("# from the left"));
+    changed.water.waves.clear();
+    expectSame(again(document, changed, folder, &text), changed);
+    EXPECT_THAT(text, Not(HasSubstr("wave")));
+}
+
+TEST(SceneDocument, aPresetThatIsChangedBecomesWaves) {
+    const TempFolder folder;
+    const SceneDocument document(folder.write(
+        "preset.toml", "[water]\npreset = \"breeze\"\nlevel = 1 # m\n[[receiver]]\nsphere = { radius = 1 }"));
+    Scene changed = document.scene();
+    expectSame(again(document, changed, folder), changed);
+    changed.water.waves[1].amplitude *= 2;
+    std::string text;
+    expectSame(again(document, changed, folder, &text), changed);
+    EXPECT_THAT(text, HasSubstr("level = 1 # m"));
+    EXPECT_THAT(text, Not(HasSubstr("preset")));
+}
+
+TEST(SceneDocument, tablesOfOneLineAreWrittenAnew) {
+    const TempFolder folder;
+    const SceneDocument document(
+        folder.write("inline.toml", "camera = { exposure = 1 }\nreceiver = [{ sphere = { radius = 1 } }]\n"));
+    Scene changed = document.scene();
+    changed.camera.position = {1, 2, 3};
+    changed.camera.exposure = 0.25;
+    changed.receivers[0].translation.y = -3;
+    changed.receivers[0].rotation = glm::angleAxis(0.3, glm::normalize(glm::dvec3(1, 2, 3)));
+    const Scene read = again(document, changed, folder);
+    EXPECT_EQ(read.camera, changed.camera);
+    EXPECT_EQ(read.receivers[0].translation, changed.receivers[0].translation);
+    // Reading normalises the turn once more.
+    EXPECT_NEAR(glm::dot(read.receivers[0].rotation, changed.receivers[0].rotation), 1, 1e-15);
+}
+
+TEST(SceneDocument, aModelAloneBecomesAScene) {
+    const TempFolder folder;
+    const SceneDocument document(std::filesystem::path(LIMPID_ROOT) / "models/sphere.glb",
+                                 {{"water.level", "2"}});
+    Scene changed = document.scene();
+    changed.camera.position = {1, 3, 3};
+    changed.camera.target = {0, 0, 0};
+    changed.lights[0].irradiance = {1, 2, 3};
+    const Scene read = again(document, changed, folder);
+    expectSame(read, changed);
+    EXPECT_EQ(read.receivers[0].mesh->positions, changed.receivers[0].mesh->positions);
+    EXPECT_EQ(read.receivers[0].name, changed.receivers[0].name);
+}
+
+TEST(SceneDocument, filesAreFoundFromElsewhere) {
+    const TempFolder folder, elsewhere;
+    std::filesystem::copy(std::filesystem::path(LIMPID_ROOT) / "models/sphere.glb",
+                          folder.path() / "ball.glb");
+    const SceneDocument document(folder.write("scene.toml", "[[receiver]] # here\ngltf = \"ball.glb\"\n"));
+    std::string text;
+    const Scene read = again(document, document.scene(), elsewhere, &text);
+    EXPECT_EQ(read.receivers[0].mesh->positions, document.scene().receivers[0].mesh->positions);
+    EXPECT_THAT(text, HasSubstr("# here"));
+    EXPECT_THAT(document.textOf(document.scene(), folder.path()), HasSubstr("gltf = \"ball.glb\""));
+}
+
+} // namespace
+} // namespace limpid::io
