@@ -42,7 +42,7 @@ void addCommonOptions(CLI::App& command, CommonOptions& options) {
     command.add_flag("--verbose", options.verbose, "print times, planes and memory");
 }
 
-Scene loadScene(const CommonOptions& options) {
+io::SceneDocument loadDocument(const CommonOptions& options) {
     std::vector<io::Override> overrides;
     for (const std::string& setting : options.settings) {
         const std::size_t equals = setting.find('=');
@@ -55,7 +55,11 @@ Scene loadScene(const CommonOptions& options) {
     if (!options.godrays.empty()) overrides.push_back({"godrays.method", options.godrays});
     if (options.planes) overrides.push_back({"caustics.planes", std::to_string(*options.planes)});
     if (options.mapSize) overrides.push_back({"caustics.map_size", std::to_string(*options.mapSize)});
-    return io::loadScene(options.input, overrides);
+    return io::SceneDocument(options.input, overrides);
+}
+
+Scene loadScene(const CommonOptions& options) {
+    return loadDocument(options).scene();
 }
 
 gl::ContextOptions contextOptions(const CommonOptions& options) {

@@ -8,7 +8,7 @@
 #include "engine/Engine.h"
 #include "gl/Context.h"
 #include "io/BakedFolder.h"
-#include "io/SceneFile.h"
+#include "io/SceneDocument.h"
 
 namespace limpid::apps {
 
@@ -31,6 +31,7 @@ void addCommonOptions(CLI::App& command, CommonOptions& options);
 
 /// The scene with everything that the command line says about it. Throws InputError.
 Scene loadScene(const CommonOptions& options);
+io::SceneDocument loadDocument(const CommonOptions& options); ///< the same, to be written again
 
 /// Throws GraphicsError. Debug builds check every call.
 gl::ContextOptions contextOptions(const CommonOptions& options);

@@ -26,7 +26,7 @@ void view(ViewOptions& options, std::chrono::steady_clock::time_point begin) {
     viewer.begin = begin;
     viewer.size = parseSize(options.size);
     viewer.file = options.common.input;
-    viewer.load = [&] { return loadScene(options.common); };
+    viewer.load = [&] { return loadDocument(options.common); };
     viewer.screenshot = options.screenshot;
     viewer.noSkip = options.common.noSkip;
     viewer.verbose = options.common.verbose;

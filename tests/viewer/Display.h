@@ -46,7 +46,7 @@ inline double changed(const Screen& a, const Screen& b, glm::ivec2 from, glm::iv
     return double(count) / (size.x * size.y);
 }
 
-/// Runs a program in the background, its output in a file.
+/// Runs a program in the background, in the folder of its output's file.
 inline pid_t start(const std::vector<std::string>& words, const fs::path& output,
                    const std::string& display = "") {
     const pid_t process = fork();
@@ -54,6 +54,7 @@ inline pid_t start(const std::vector<std::string>& words, const fs::path& output
     const int file = open(output.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
     dup2(file, STDOUT_FILENO);
     dup2(file, STDERR_FILENO);
+    if (chdir(output.parent_path().c_str()) != 0) _exit(126);
     if (!display.empty()) setenv("DISPLAY", display.c_str(), 1);
     std::vector<char*> arguments;
     for (const std::string& word : words)

@@ -212,6 +212,45 @@ TEST_F(ViewerGLTest, wrongFilesAreToldInTheWindow) {
     EXPECT_TRUE(runs());
 }
 
+TEST_F(ViewerGLTest, aSavedSceneIsThePictureOfRender) {
+    openPond();
+    change("mousedown 1 mousemove 300 140 mousemove 260 120 mouseup 1", 0.3);
+    change("key plus key plus click 4 key period key period", 0.3);
+    display.send("key p");
+    const fs::path picture = folder.path() / "pond-1.png", scene = folder.path() / "changed.toml";
+    EXPECT_TRUE(until([&] { return fs::exists(picture); }));
+    display.send("key ctrl+s sleep 0.5 key ctrl+a");
+    display.send(fmt::format("type --delay 1 {}", scene.string()));
+    display.send("sleep 0.5 key Return");
+    ASSERT_TRUE(until([&] { return fs::exists(scene); })) << said();
+
+    const io::FloatImage shown = io::readImage(picture);
+    const fs::path file = folder.path() / "rendered.png";
+    const Result result = run(fmt::format("render {} -o {} --size {}x{} --time {}", scene.string(),
+                                          file.string(), shown.width, shown.height, 2.0 / 30));
+    ASSERT_EQ(result.code, 0) << result.out;
+    const io::FloatImage rendered = io::readImage(file);
+    ASSERT_EQ(rendered.data.size(), shown.data.size());
+    long most = 0;
+    for (std::size_t i = 0; i < shown.data.size(); ++i)
+        most = std::max(most, std::lround(255 * std::abs(shown.data[i] - rendered.data[i])));
+    // Tone mapping in the GPU's logarithms and the CPU's may fall on either side of a step.
+    EXPECT_LE(most, 1);
+    std::ifstream stream(scene);
+    const std::string text{std::istreambuf_iterator<char>(stream), {}};
+    EXPECT_NE(text.find("[[receiver]]            # what it is about"), std::string::npos) << text;
+}
+
+TEST_F(ViewerGLTest, aSequenceIsRecorded) {
+    openPond();
+    display.send("key v");
+    const fs::path frames = folder.path() / "pond-1-frames";
+    ASSERT_TRUE(until([&] { return fs::exists(frames / "0001.png"); }));
+    display.send("key v");
+    const Result result = run(fmt::format("compare {0}/0000.png {0}/0001.png --max-nmae 0", frames.string()));
+    EXPECT_EQ(result.code, 1) << result.out; // they differ
+}
+
 TEST_F(ViewerGLTest, screenshotTakesTheWindowAndLeaves) {
     const fs::path scene = folder.write("pond.toml", pond), file = folder.path() / "window.png";
     const Result result =

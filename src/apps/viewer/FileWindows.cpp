@@ -1,4 +1,7 @@
 #include "apps/viewer/FileWindows.h"
+#include "apps/viewer/Saving.h"
+
+#include <filesystem>
 
 #include <imgui.h>
 #include <imgui_stdlib.h>
@@ -38,10 +41,27 @@ void openWindow(State& state) {
     ImGui::EndPopup();
 }
 
+void saveWindow(State& state) {
+    if (std::exchange(state.askSave, false)) {
+        state.saveName = proposedScene(state.file);
+        ImGui::OpenPopup("Save the scene");
+    }
+    centerNext();
+    if (!ImGui::BeginPopupModal("Save the scene", nullptr, popup)) return;
+    const bool exists = std::filesystem::exists(state.saveName);
+    ImGui::TextDisabled(exists ? "there is a file of this name" : "a scene that limpid render reads");
+    if (nameField(exists ? "Replace it" : "Save", state.saveName)) {
+        state.saveScene = state.saveName;
+        ImGui::CloseCurrentPopup();
+    }
+    ImGui::EndPopup();
+}
+
 } // namespace
 
 void fileWindows(State& state) {
     openWindow(state);
+    saveWindow(state);
 }
 
 } // namespace limpid::viewer

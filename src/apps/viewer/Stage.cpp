@@ -223,13 +223,6 @@ bool Stage::nextPiece() {
     return finished;
 }
 
-void Stage::finish() {
-    while (!rests()) {
-        _lastChange = Clock::now() - std::chrono::hours(1);
-        work();
-    }
-}
-
 void Stage::reloadShaders() {
     std::vector<std::unique_ptr<Engine>> engines;
     engines.push_back(newEngine());

@@ -41,8 +41,8 @@ class Stage {
     bool rests() const { return _state == State::Rests; }
     /// Whether a better picture is under way; it does not rest, nor wait for rest.
     bool refines() const { return !_refining.empty(); }
-    /// Goes on to that without a pause.
-    void finish();
+    /// Goes on to that without a pause for what may move next.
+    void hurry() { _lastChange = {}; }
     /// Makes everything anew: after shaders changed. Throws GraphicsError if they do not compile; then it
     /// goes on as before.
     void reloadShaders();

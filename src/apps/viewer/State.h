@@ -36,8 +36,8 @@ struct State {
     std::string open;     ///< a file
     bool savePicture = false;
     bool askSave = false;  ///< where to save the scene
+    std::string saveName;  ///< as it is being typed
     std::string saveScene; ///< a file
-    bool replace = false;  ///< `saveScene` may exist
     bool record = false;   ///< toggles
     bool frameSelection = false;
     bool resetCamera = false;

@@ -9,13 +9,13 @@
 
 #include "apps/viewer/CameraControl.h"
 #include "apps/viewer/Interface.h"
+#include "apps/viewer/Saving.h"
 #include "apps/viewer/Window.h"
 #include "core/Error.h"
 #include "core/Statistics.h"
 #include "engine/Framing.h"
 #include "engine/Warnings.h"
 #include "io/Images.h"
-#include "io/SceneFile.h"
 
 namespace limpid::viewer {
 
@@ -69,11 +69,12 @@ class Viewer {
     }
 
   private:
-    void load(const std::filesystem::path& file, const std::function<Scene()>& read);
+    void load(const std::filesystem::path& file, const std::function<io::SceneDocument()>& read);
     void select(const std::string& name);
     void frame();
     double waitingTime() const;
     void doRequests();
+    void saveWhatIsAsked();
     void advanceTime(double seconds);
     void makePicture(const Layout& layout);
     void frameSelection();
@@ -86,6 +87,8 @@ class Viewer {
     Window _window;
     gl::Context _context;
     Stage _stage;
+    std::optional<io::SceneDocument> _document;
+    std::optional<Recorder> _recorder;
     State _state;
     Measured _measured;
     Clock::time_point _last = Clock::now();
@@ -100,11 +103,15 @@ void Viewer::fail(const std::exception& error) {
     _state.playing = false;
 }
 
-void Viewer::load(const std::filesystem::path& file, const std::function<Scene()>& read) {
+void Viewer::load(const std::filesystem::path& file, const std::function<io::SceneDocument()>& read) {
     try {
-        Scene scene = read();
+        io::SceneDocument document = read();
+        Scene scene = document.scene();
         frameCamera(scene);
         Engine::requireScene(scene, _context);
+        _document = std::move(document);
+        _recorder.reset();
+        _state.recording = false;
         _state.loaded = scene;
         _state.scene = std::move(scene);
         _state.file = file;
@@ -131,7 +138,7 @@ void Viewer::select(const std::string& name) {
 
 /// How long events may be waited for.
 double Viewer::waitingTime() const {
-    if (_lively > 0 || _worked || _state.playing || !_options.screenshot.empty()) return 0;
+    if (_lively > 0 || _worked || _state.playing || _recorder || !_options.screenshot.empty()) return 0;
     return _stage.rests() || !_state.hasScene() ? 0.5 : 0.02;
 }
 
@@ -144,9 +151,9 @@ void Viewer::frameSelection() {
 
 void Viewer::doRequests() {
     if (const std::string file = std::exchange(_state.open, ""); !file.empty())
-        load(file, [&] { return io::loadScene(file); });
+        load(file, [&] { return io::SceneDocument(file); });
     for (const auto& file : _window.takeDropped())
-        load(file, [&] { return io::loadScene(file); });
+        load(file, [&] { return io::SceneDocument(file); });
     if (std::exchange(_state.frameSelection, false)) frameSelection();
     if (std::exchange(_state.resetCamera, false)) {
         const double exposure = _state.scene.camera.exposure;
@@ -154,6 +161,36 @@ void Viewer::doRequests() {
         _state.scene.camera.exposure = exposure;
     }
     _window.setFullscreen(_state.fullscreen);
+    try {
+        saveWhatIsAsked();
+    } catch (const InputError& error) {
+        fail(error);
+    }
+}
+
+void Viewer::saveWhatIsAsked() {
+    if (const std::string file = std::exchange(_state.saveScene, ""); !file.empty()) {
+        saveScene(*_document, _state.scene, file);
+        _state.notice = fmt::format("saved {}", file);
+    }
+    const bool complete = _stage.display() && _stage.rests();
+    if (_state.savePicture && complete) {
+        _state.savePicture = false;
+        _state.notice = fmt::format("saved {}", savePicture(*_stage.display(), _state.file).string());
+    }
+    if (std::exchange(_state.record, false)) {
+        if (_recorder) _state.notice = _recorder->summary();
+        if (_recorder)
+            _recorder.reset();
+        else
+            _recorder.emplace(_state.file, _state.time);
+        _state.recording = _recorder.has_value();
+        _state.playing = false;
+    } else if (_recorder && complete && _state.time == _recorder->time()) {
+        _recorder->add(*_stage.display());
+        _state.time = _recorder->time();
+        _state.notice = _recorder->summary();
+    }
 }
 
 void Viewer::advanceTime(double seconds) {
@@ -174,6 +211,7 @@ void Viewer::makePicture(const Layout& layout) {
         wanted.scene.camera.exposure = 0;
         _stage.want(wanted);
         _stage.setShown(_state.shown);
+        if (_recorder || _state.savePicture || !_options.screenshot.empty()) _stage.hurry();
         _worked = _stage.work();
         if (_worked) _measured.add(_stage.passes());
         _worked = _worked || _stage.refines();

@@ -6,7 +6,7 @@
 
 #include <glm/glm.hpp>
 
-#include "scene/Scene.h"
+#include "io/SceneDocument.h"
 
 namespace limpid::viewer {
 
@@ -14,7 +14,7 @@ struct Options {
     std::chrono::steady_clock::time_point begin; ///< of the program
     std::filesystem::path file;                  ///< empty: none yet
     /// Loads `file` as the command line asks. Throws InputError.
-    std::function<Scene()> load;
+    std::function<io::SceneDocument()> load;
     glm::ivec2 size{1280, 720}; ///< of the window
     double time = 0;            ///< s
     bool play = false;
