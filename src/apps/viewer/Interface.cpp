@@ -6,7 +6,9 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include "apps/viewer/ComparePanel.h"
 #include "apps/viewer/FileWindows.h"
+#include "apps/viewer/MeasurePanel.h"
 #include "apps/viewer/ScenePanel.h"
 
 namespace limpid::viewer {
@@ -101,6 +103,18 @@ void statusBar(const State& state, const Stage& stage, const gl::Context& contex
     ImGui::PopStyleVar();
 }
 
+void sidePanel(const Shows& shows, const Layout& layout) {
+    place(float(layout.window.x) - layout.right, layout.top, layout.right,
+          float(layout.window.y) - layout.top - layout.bottom);
+    if (ImGui::Begin("side", nullptr, fixed)) {
+        const State::Side side = shows.state.side;
+        if (side == State::Side::Measure) measurePanel(shows.measured, shows.stage, shows.context);
+        if (side == State::Side::Understand) shows.understanding.panel(shows.state, shows.stage);
+        if (side == State::Side::Compare) comparePanel(shows.state);
+    }
+    ImGui::End();
+}
+
 void keysWindow(State& state, const Layout& layout) {
     ImGui::SetNextWindowPos(ImVec2(0.5f * float(layout.window.x), 0.5f * float(layout.window.y)),
                             ImGuiCond_Always, ImVec2(0.5f, 0.5f));
@@ -178,16 +192,18 @@ void drawPicture(const Stage& stage, const Layout& layout) {
         ImVec2(to.x, to.y), ImVec2(0, 1), ImVec2(1, 0));
 }
 
-void drawInterface(State& state, const Stage& stage, const gl::Context& context, const Layout& layout) {
+void drawInterface(const Shows& shows, const Layout& layout) {
+    State& state = shows.state;
     if (!state.hasScene()) welcome(layout);
     if (state.panels) {
         menuBar(state);
-        statusBar(state, stage, context, layout);
-        if (state.hasScene()) {
+        statusBar(state, shows.stage, shows.context, layout);
+        if (layout.left > 0) {
             place(0, layout.top, layout.left, float(layout.window.y) - layout.top - layout.bottom);
             if (ImGui::Begin("scene", nullptr, fixed)) scenePanel(state);
             ImGui::End();
         }
+        if (layout.right > 0) sidePanel(shows, layout);
     }
     if (state.keys) keysWindow(state, layout);
     if (!state.message.empty()) messageWindow(state, layout);

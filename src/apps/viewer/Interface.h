@@ -2,6 +2,7 @@
 #include "apps/viewer/Keys.h"
 #include "apps/viewer/Stage.h"
 #include "apps/viewer/State.h"
+#include "apps/viewer/Understanding.h"
 #include "gl/Context.h"
 
 namespace limpid::viewer {
@@ -17,7 +18,15 @@ Layout layoutOf(const State& state, glm::ivec2 window);
 /// Shows the picture in its place.
 void drawPicture(const Stage& stage, const Layout& layout);
 
-/// Bars, the scene's panel, messages and the keys.
-void drawInterface(State& state, const Stage& stage, const gl::Context& context, const Layout& layout);
+/// What panels show and change.
+struct Shows {
+    State& state;
+    Stage& stage;
+    gl::Context& context;
+    const Measured& measured;
+    Understanding& understanding;
+};
+/// Bars, panels, messages and the keys.
+void drawInterface(const Shows& shows, const Layout& layout);
 
 } // namespace limpid::viewer

@@ -8,6 +8,7 @@
 #include <imgui.h>
 
 #include "apps/viewer/CameraControl.h"
+#include "apps/viewer/ComparePanel.h"
 #include "apps/viewer/Interface.h"
 #include "apps/viewer/Saving.h"
 #include "apps/viewer/Window.h"
@@ -87,6 +88,7 @@ class Viewer {
     Window _window;
     gl::Context _context;
     Stage _stage;
+    Understanding _understanding{_context};
     std::optional<io::SceneDocument> _document;
     std::optional<Recorder> _recorder;
     State _state;
@@ -94,7 +96,7 @@ class Viewer {
     Clock::time_point _last = Clock::now();
     Scene _before; ///< what the last frame showed
     int _lively = 0;
-    bool _worked = false, _done = false, _rested = false;
+    bool _better = false, _worked = false, _done = false, _rested = false;
     int _completeFrames = 0;
 };
 
@@ -204,6 +206,7 @@ void Viewer::advanceTime(double seconds) {
 
 void Viewer::makePicture(const Layout& layout) {
     if (!_state.hasScene()) return;
+    _better = false;
     _state.shown.exposure = _state.scene.camera.exposure;
     try {
         Wanted wanted{_state.scene, _state.time, layout.picture.size, _state.other};
@@ -212,8 +215,8 @@ void Viewer::makePicture(const Layout& layout) {
         _stage.want(wanted);
         _stage.setShown(_state.shown);
         if (_recorder || _state.savePicture || !_options.screenshot.empty()) _stage.hurry();
-        _worked = _stage.work();
-        if (_worked) _measured.add(_stage.passes());
+        _better = _worked = _stage.work();
+        if (_better) _measured.add(_stage.passes());
         _worked = _worked || _stage.refines();
     } catch (const InputError& error) {
         fail(error);
@@ -256,12 +259,15 @@ void Viewer::frame() {
     _window.beginInterface();
     Layout layout = layoutOf(_state, _window.size());
     if (takeInput(_state, layout.picture, seconds)) _lively = 3;
-    drawInterface(_state, _stage, _context, layout);
+    drawInterface({_state, _stage, _context, _measured, _understanding}, layout);
     doRequests();
     advanceTime(seconds);
     layout = layoutOf(_state, _window.size());
     makePicture(layout);
     drawPicture(_stage, layout);
+    _understanding.update(_state, _stage, _better);
+    _understanding.overlay(_state, _stage, layout.picture);
+    compareOverlay(_state, layout.picture);
     _window.endInterface([&] { takeScreenshot(); });
     looked(taken);
 }
