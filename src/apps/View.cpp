@@ -2,6 +2,7 @@
 
 #include "apps/Common.h"
 #include "core/Error.h"
+#include <fmt/format.h>
 
 #ifdef LIMPID_WITH_VIEWER
 #include "apps/viewer/Viewer.h"
@@ -15,6 +16,7 @@ struct ViewOptions {
     viewer::Options viewer;
     std::string size = "1280x720";
     std::string screenshot;
+    std::string compare;
 };
 
 void view(ViewOptions& options, std::chrono::steady_clock::time_point begin) {
@@ -28,6 +30,10 @@ void view(ViewOptions& options, std::chrono::steady_clock::time_point begin) {
     viewer.file = options.common.input;
     viewer.load = [&] { return loadDocument(options.common); };
     viewer.screenshot = options.screenshot;
+    viewer.compare = methodFromName(options.compare);
+    if (!options.compare.empty() && !viewer.compare)
+        throw InputError(
+            fmt::format("--compare: expected the name of a method, found \"{}\"", options.compare));
     viewer.noSkip = options.common.noSkip;
     viewer.verbose = options.common.verbose;
     viewer::show(viewer);
@@ -51,6 +57,7 @@ void addView(CLI::App& app) {
     command->add_option("--panel", options->viewer.panel, "opens a panel: measure, understand, compare")
         ->check(CLI::IsMember({"measure", "understand", "compare"}));
     command->add_option("--select", options->viewer.select, "picks a receiver by name");
+    command->add_option("--compare", options->compare, "a second method, beside the first");
     auto* screenshot =
         command->add_option("--screenshot", options->screenshot,
                             "takes the window's picture, interface included, to this .png, and leaves");

@@ -31,6 +31,19 @@ std::string firstLines(std::string log) {
     return log.substr(0, 1000);
 }
 
+std::uint64_t unusedLocations(GLuint program) {
+    std::uint64_t unused = ~std::uint64_t(0);
+    GLint count = 0;
+    glGetProgramInterfaceiv(program, GL_UNIFORM, GL_ACTIVE_RESOURCES, &count);
+    for (GLint i = 0; i < count; ++i) {
+        constexpr GLenum location = GL_LOCATION;
+        GLint at = -1;
+        glGetProgramResourceiv(program, GL_UNIFORM, GLuint(i), 1, &location, 1, nullptr, &at);
+        if (at >= 0 && at < 64) unused &= ~(std::uint64_t(1) << unsigned(at));
+    }
+    return unused;
+}
+
 GLuint compile(const char* file, std::span<const std::string> defines) {
     const ResolvedShader source = resolveShader(file, defines);
     const GLuint shader = glCreateShader(stageOf(file));
@@ -65,6 +78,7 @@ Program::Program(std::initializer_list<const char*> files, std::span<const std::
         glDeleteShader(shader);
     GLint ok = 0, length = 0;
     glGetProgramiv(_id, GL_LINK_STATUS, &ok);
+    if (ok && !shaderFolder().empty()) _unused = unusedLocations(_id);
     if (ok) return;
     glGetProgramiv(_id, GL_INFO_LOG_LENGTH, &length);
     std::string log(std::size_t(std::max(length, 1)), '\0');

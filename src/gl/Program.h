@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <initializer_list>
 #include <span>
 #include <string>
@@ -21,22 +22,24 @@ class Program {
     ~Program() {
         if (_id) glDeleteProgram(_id);
     }
-    Program(Program&& other) noexcept : _id(std::exchange(other._id, 0)) {}
+    Program(Program&& other) noexcept
+        : _id(std::exchange(other._id, 0)), _unused(std::exchange(other._unused, 0)) {}
     Program& operator=(Program&& other) noexcept {
         std::swap(_id, other._id);
+        std::swap(_unused, other._unused);
         return *this;
     }
 
     void use() const { glUseProgram(_id); }
-    void set(GLint location, int value) const { glProgramUniform1i(_id, location, value); }
-    void set(GLint location, float value) const { glProgramUniform1f(_id, location, value); }
-    void set(GLint location, double value) const { glProgramUniform1d(_id, location, value); }
-    void set(GLint location, glm::ivec2 value) const { glProgramUniform2iv(_id, location, 1, &value.x); }
-    void set(GLint location, glm::vec2 value) const { glProgramUniform2fv(_id, location, 1, &value.x); }
-    void set(GLint location, glm::vec3 value) const { glProgramUniform3fv(_id, location, 1, &value.x); }
-    void set(GLint location, glm::vec4 value) const { glProgramUniform4fv(_id, location, 1, &value.x); }
+    void set(GLint location, int value) const { glProgramUniform1i(_id, at(location), value); }
+    void set(GLint location, float value) const { glProgramUniform1f(_id, at(location), value); }
+    void set(GLint location, double value) const { glProgramUniform1d(_id, at(location), value); }
+    void set(GLint location, glm::ivec2 value) const { glProgramUniform2iv(_id, at(location), 1, &value.x); }
+    void set(GLint location, glm::vec2 value) const { glProgramUniform2fv(_id, at(location), 1, &value.x); }
+    void set(GLint location, glm::vec3 value) const { glProgramUniform3fv(_id, at(location), 1, &value.x); }
+    void set(GLint location, glm::vec4 value) const { glProgramUniform4fv(_id, at(location), 1, &value.x); }
     void set(GLint location, const glm::mat4& value) const {
-        glProgramUniformMatrix4fv(_id, location, 1, GL_FALSE, &value[0].x);
+        glProgramUniformMatrix4fv(_id, at(location), 1, GL_FALSE, &value[0].x);
     }
 
     /// Runs a compute program over at least `items` invocations in groups of `groupSize` (as the shader has
@@ -47,7 +50,13 @@ class Program {
     void dispatch2D(glm::ivec2 items, glm::ivec2 groupSize) const;
 
   private:
+    GLint at(GLint location) const {
+        return location < 64 && (_unused >> unsigned(location) & 1) != 0 ? -1 : location;
+    }
     GLuint _id = 0;
+    /// Locations below 64 without a uniform, for shaders that are being worked on (gl/ShaderLibrary.h); in
+    /// others, setting one that does not exist is the error that it is.
+    std::uint64_t _unused = 0;
 };
 
 } // namespace limpid::gl

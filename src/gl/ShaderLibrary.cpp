@@ -1,6 +1,9 @@
 #include "gl/ShaderLibrary.h"
 
 #include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -13,9 +16,11 @@ namespace limpid::gl {
 
 namespace {
 
-std::string_view embeddedText(std::string_view name) {
+std::string textOf(std::string_view name) {
+    if (const auto folder = shaderFolder(); !folder.empty())
+        if (std::ifstream file(folder / name); file) return {std::istreambuf_iterator<char>(file), {}};
     for (const EmbeddedShader& shader : embeddedShaders())
-        if (shader.name == name) return shader.text;
+        if (shader.name == name) return std::string(shader.text);
     throw GraphicsError(
         fmt::format("{}: expected a shader carried by the library, found none of that name", name));
 }
@@ -27,7 +32,7 @@ void append(ResolvedShader& shader, std::string_view line, std::string origin) {
 
 void appendFile(ResolvedShader& shader, std::string_view name, std::set<std::string, std::less<>>& done) {
     if (!done.emplace(name).second) return;
-    std::istringstream text{std::string(embeddedText(name))};
+    std::istringstream text{textOf(name)};
     int number = 0;
     for (std::string line; std::getline(text, line);) {
         ++number;
@@ -39,6 +44,11 @@ void appendFile(ResolvedShader& shader, std::string_view name, std::set<std::str
 }
 
 } // namespace
+
+std::filesystem::path shaderFolder() {
+    const char* folder = std::getenv("LIMPID_SHADERS");
+    return folder ? folder : "";
+}
 
 ResolvedShader resolveShader(std::string_view name, std::span<const std::string> defines) {
     ResolvedShader shader;

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <string>
 #include <thread>
 #include <vector>
@@ -48,7 +49,8 @@ inline double changed(const Screen& a, const Screen& b, glm::ivec2 from, glm::iv
 
 /// Runs a program in the background, in the folder of its output's file.
 inline pid_t start(const std::vector<std::string>& words, const fs::path& output,
-                   const std::string& display = "") {
+                   const std::string& display = "",
+                   const std::map<std::string, std::string>& environment = {}) {
     const pid_t process = fork();
     if (process != 0) return process;
     const int file = open(output.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
@@ -56,6 +58,8 @@ inline pid_t start(const std::vector<std::string>& words, const fs::path& output
     dup2(file, STDERR_FILENO);
     if (chdir(output.parent_path().c_str()) != 0) _exit(126);
     if (!display.empty()) setenv("DISPLAY", display.c_str(), 1);
+    for (const auto& [name, value] : environment)
+        setenv(name.c_str(), value.c_str(), 1);
     std::vector<char*> arguments;
     for (const std::string& word : words)
         arguments.push_back(const_cast<char*>(word.c_str()));

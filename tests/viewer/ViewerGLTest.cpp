@@ -64,7 +64,8 @@ class ViewerGLTest : public ::testing::Test {
             LIMPID_BUILD "/limpid", "view", input, "--verbose", "--size", "448x336",
             "--interface-scale",    "0.7"};
         words.insert(words.end(), more.begin(), more.end());
-        _viewer = start(words, output(), display.name());
+        _seen = 0;
+        _viewer = start(words, output(), display.name(), environment);
     }
     void openPond() {
         open(folder.write("pond.toml", pond).string());
@@ -119,12 +120,16 @@ class ViewerGLTest : public ::testing::Test {
     static double anyChange(const Screen& a, const Screen& b) { return changed(a, b, {0, 0}, {448, 318}); }
 
     TempFolder folder;
+    std::map<std::string, std::string> environment;
     Display display{folder.path(), screenSize};
     Screen first;
 
   private:
     pid_t _viewer = -1;
     int _seen = 0;
+
+  protected:
+    int _writes = 1;
 };
 
 TEST_F(ViewerGLTest, aDragOrbits) {
@@ -239,6 +244,55 @@ TEST_F(ViewerGLTest, aSavedSceneIsThePictureOfRender) {
     std::ifstream stream(scene);
     const std::string text{std::istreambuf_iterator<char>(stream), {}};
     EXPECT_NE(text.find("[[receiver]]            # what it is about"), std::string::npos) << text;
+}
+
+TEST_F(ViewerGLTest, boxPlanesAndBeamsAreDrawnOverThePicture) {
+    open(folder.write("pond.toml", pond).string(), {"--select", "ball", "--method", "level-map-smart"});
+    ASSERT_TRUE(completes());
+    for (const char* key : {"b", "g", "r"})
+        change(fmt::format("mousemove 322 250 key {}", key), 0.005);
+}
+
+TEST_F(ViewerGLTest, twoMethodsStandSideBySide) {
+    const std::vector<std::string> planes = {"--method", "level-map", "--planes", "2"};
+    open(folder.write("pond.toml", pond).string(), planes);
+    ASSERT_TRUE(completes());
+    display.send("mousemove 300 330");
+    const Screen one = screen();
+    TearDown();
+    fs::remove(output());
+    std::vector<std::string> both = planes;
+    both.insert(both.end(), {"--compare", "exact-beam"});
+    open((folder.path() / "pond.toml").string(), both);
+    ASSERT_TRUE(completes());
+    // The left half is as it was, but for the methods' names; two planes are not what the other half is made
+    // by.
+    const int split = (201 + 448) / 2;
+    EXPECT_EQ(changed(one, screen(), {205, 60}, {split - 2, 315}), 0);
+    EXPECT_GT(changed(one, screen(), {split + 2, 60}, {445, 315}), 0.1);
+}
+
+TEST_F(ViewerGLTest, shadersReloadAndABrokenOneIsTold) {
+    const fs::path shaders = folder.path() / "shaders", file = shaders / "viewer/show.frag";
+    fs::copy(LIMPID_ROOT "/shaders", shaders, fs::copy_options::recursive);
+    environment["LIMPID_SHADERS"] = shaders.string();
+    openPond();
+    const auto write = [&](const std::string& text) {
+        std::ofstream(file) << text;
+        // A file's time may be coarser than this test is quick.
+        fs::last_write_time(file, fs::file_time_type::clock::now() + std::chrono::seconds(_writes++));
+    };
+    const auto isGreen = [&] { return screen().at(322, 200) == glm::ivec3(0, 255, 0); };
+    const std::string green =
+        "layout(location = 0) out vec4 shown;\nvoid main() { shown = vec4(0, 1, 0, 1); }\n";
+    write(green);
+    EXPECT_TRUE(until(isGreen));
+    write(green + "oops");
+    EXPECT_TRUE(until([&] { return screen().at(222, 30).r > 80 && screen().at(222, 30).g < 60; }));
+    EXPECT_TRUE(isGreen());
+    std::ifstream whole(LIMPID_ROOT "/shaders/viewer/show.frag");
+    write({std::istreambuf_iterator<char>(whole), {}});
+    EXPECT_TRUE(until([&] { return changed(first, screen(), {205, 60}, {445, 315}) == 0; }));
 }
 
 TEST_F(ViewerGLTest, aSequenceIsRecorded) {

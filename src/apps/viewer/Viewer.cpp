@@ -11,6 +11,7 @@
 #include "apps/viewer/ComparePanel.h"
 #include "apps/viewer/Interface.h"
 #include "apps/viewer/Saving.h"
+#include "apps/viewer/ShaderWatch.h"
 #include "apps/viewer/Window.h"
 #include "core/Error.h"
 #include "core/Statistics.h"
@@ -59,6 +60,8 @@ class Viewer {
         _state.time = options.time;
         _state.playing = options.play;
         _state.side = sideNamed(options.panel);
+        _state.other = options.compare;
+        if (_state.other) _state.shown.mode = Shown::Mode::Split;
     }
 
     void run() {
@@ -76,6 +79,7 @@ class Viewer {
     double waitingTime() const;
     void doRequests();
     void saveWhatIsAsked();
+    void reloadShaders();
     void advanceTime(double seconds);
     void makePicture(const Layout& layout);
     void frameSelection();
@@ -94,6 +98,7 @@ class Viewer {
     State _state;
     Measured _measured;
     Clock::time_point _last = Clock::now();
+    ShaderWatch _shaders;
     Scene _before; ///< what the last frame showed
     int _lively = 0;
     bool _better = false, _worked = false, _done = false, _rested = false;
@@ -170,6 +175,18 @@ void Viewer::doRequests() {
     }
 }
 
+/// What compiles takes over; what does not is told, and leaves the picture as it was.
+void Viewer::reloadShaders() {
+    if (!_shaders.changed()) return;
+    try {
+        _stage.reloadShaders();
+        _state.message.clear();
+        _state.notice = "shaders reloaded";
+    } catch (const GraphicsError& error) {
+        fail(error);
+    }
+}
+
 void Viewer::saveWhatIsAsked() {
     if (const std::string file = std::exchange(_state.saveScene, ""); !file.empty()) {
         saveScene(*_document, _state.scene, file);
@@ -220,6 +237,8 @@ void Viewer::makePicture(const Layout& layout) {
         _worked = _worked || _stage.refines();
     } catch (const InputError& error) {
         fail(error);
+    } catch (const GraphicsError& error) { // no room, say: the user may ask for less
+        fail(error);
     }
 }
 
@@ -261,6 +280,7 @@ void Viewer::frame() {
     if (takeInput(_state, layout.picture, seconds)) _lively = 3;
     drawInterface({_state, _stage, _context, _measured, _understanding}, layout);
     doRequests();
+    reloadShaders();
     advanceTime(seconds);
     layout = layoutOf(_state, _window.size());
     makePicture(layout);

@@ -2,6 +2,7 @@
 #include <chrono>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include <glm/glm.hpp>
@@ -21,6 +22,7 @@ struct Options {
     double interfaceScale = 0;        ///< 0: as the display asks for
     std::string panel;                ///< measure, understand or compare; empty: none
     std::string select;               ///< a receiver; empty: none
+    std::optional<Method> compare;    ///< a second method
     std::filesystem::path screenshot; ///< empty: none
     int afterFrames = 1;              ///< screenshot: frames with a complete picture before it
     bool noSkip = false;
