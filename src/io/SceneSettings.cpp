@@ -103,6 +103,7 @@ void addCaustics(Table table, const CausticsSettings& caustics) {
     table.add("method", methodName(caustics.method));
     table.add("map_size", caustics.mapSize);
     table.add("planes", caustics.planes);
+    table.add("fill", fillName(caustics.fill));
     table.add("slicing", slicings[std::size_t(caustics.slicing)]);
     table.add("depth_levels", caustics.depthLevels);
     table.add("threshold", caustics.threshold);

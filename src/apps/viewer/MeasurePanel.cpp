@@ -112,6 +112,8 @@ void skippedTable(Stage& stage) {
         row(fmt::format("{} in {}{}", receiver, engine.scene().lights[std::size_t(maps.light)].name, facing),
             exact ? "needs none" : fmt::format("{} of {}", std::max(left, 0), maps.level.requestedPlanes));
     }
+    for (const auto& [kind, count] : engine.skipped().byKind())
+        if (count > 0) row(fmt::format("skipped: {}", kind), fmt::format("{}", count));
     for (std::size_t i = 0; i < engine.scene().lights.size(); ++i)
         row(fmt::format("{}: beams", engine.scene().lights[i].name),
             fmt::format("{}", engine.light(int(i)).beams.triangleCount));

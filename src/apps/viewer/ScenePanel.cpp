@@ -136,6 +136,11 @@ void methodSection(State& state) {
     methodCombo("method", caustics.method);
     wholeNumber("map size", caustics.mapSize, 16, 8192, "texels on the longer side of a map");
     if (caustics.method == Method::ExactBeam) return;
+    if (hasFills(caustics.method)) {
+        int fill = int(caustics.fill);
+        if (ImGui::Combo("fill", &fill, "drawn\0one pass\0")) caustics.fill = static_cast<Fill>(fill);
+        hint("planes drawn one after another, or beams walked in one pass");
+    }
     wholeNumber("planes", caustics.planes, 1, 512, "reference planes of a box, before slicing drops any");
     if (caustics.method != Method::LevelMapSmart) return;
     int slicing = int(caustics.slicing);
