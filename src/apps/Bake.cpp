@@ -61,6 +61,7 @@ void bake(const BakeOptions& options) {
 
 void addBake(CLI::App& app) {
     auto* command = app.add_subcommand("bake", "caustic maps as data: index.json and OpenEXR files");
+    command->footer("Examples:\n  limpid bake scene.toml -o maps --method level-map --planes 50");
     auto options = std::make_shared<BakeOptions>();
     addCommonOptions(*command, options->common);
     command->add_option("-o,--output", options->output, "folder to write to")->required();

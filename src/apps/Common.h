@@ -64,6 +64,7 @@ void addBake(CLI::App& app);
 void addCompare(CLI::App& app);
 void addProfile(CLI::App& app);
 void addInfo(CLI::App& app);
+void addShell(CLI::App& app);     ///< completion and manual page
 void addReference(CLI::App& app); ///< in builds with LIMPID_REFERENCE
 void addView(CLI::App& app);      ///< in builds without LIMPID_VIEWER it says that there is none
 

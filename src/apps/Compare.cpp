@@ -199,6 +199,7 @@ void runCompare(const CompareOptions& options) {
 void addCompare(CLI::App& app) {
     auto* command =
         app.add_subcommand("compare", "error figures of two pictures, or of two baked folders map by map");
+    command->footer("Examples:\n  limpid compare maps truth --max-nmae 0.02 --json");
     auto options = std::make_shared<CompareOptions>();
     command->add_option("A", options->a, "picture or baked folder")->required();
     command->add_option("B", options->b, "the same of the truth")->required();

@@ -47,6 +47,7 @@ void printInfo(const gl::DeviceInfo& info) {
 
 void addInfo(CLI::App& app) {
     auto* command = app.add_subcommand("info", "GPU, driver, limits, and what is used of them");
+    command->footer("Examples:\n  limpid info --json");
     auto json = std::make_shared<bool>(false);
     auto device = std::make_shared<std::string>();
     command->add_flag("--json", *json, "as JSON");

@@ -1,11 +1,13 @@
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <set>
 
 #include <fmt/format.h>
 
 #include "apps/Common.h"
 #include "core/Error.h"
+#include "io/TomlReader.h"
 
 namespace {
 
@@ -18,6 +20,25 @@ std::string commandNames(const CLI::App& app) {
     std::string names;
     for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
         names += (names.empty() ? "" : ", ") + command->get_name();
+    return names;
+}
+
+using Names = std::set<std::string, std::less<>>;
+
+Names namesOf(const CLI::App& app) {
+    Names names;
+    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+        names.insert(command->get_name());
+    return names;
+}
+
+/// Of the command that was given.
+Names optionNames(const CLI::App& app) {
+    Names names;
+    for (const CLI::App* command : app.get_subcommands())
+        for (const CLI::Option* option : command->get_options())
+            for (const std::string& name : option->get_lnames())
+                names.insert(fmt::format("--{}", name));
     return names;
 }
 
@@ -36,14 +57,16 @@ int run(int argc, char** argv) {
 #ifdef LIMPID_WITH_REFERENCE
     limpid::apps::addReference(app);
 #endif
+    limpid::apps::addShell(app);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ExtrasError&) {
         std::string extra;
         for (const std::string& word : app.remaining(true))
             extra += (extra.empty() ? "" : " ") + word;
-        return fail(2,
-                    fmt::format("expected one of the options in limpid --help, found \"{}\"", extra).c_str());
+        return fail(2, fmt::format("expected one of the options in limpid --help, found \"{}\"{}", extra,
+                                   limpid::io::suggestion(extra, optionNames(app)))
+                           .c_str());
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0) return app.exit(error);
         if (argc < 2) {
@@ -51,9 +74,10 @@ int run(int argc, char** argv) {
             return 2;
         }
         if (app.get_subcommands().empty())
-            return fail(2, fmt::format("expected a command ({}), found \"{}\" (see limpid --help)",
-                                       commandNames(app), argv[1])
-                               .c_str());
+            return fail(2,
+                        fmt::format("expected a command ({}), found \"{}\"{} (see limpid --help)",
+                                    commandNames(app), argv[1], limpid::io::suggestion(argv[1], namesOf(app)))
+                            .c_str());
         return fail(2, fmt::format("{} (see limpid --help)", error.what()).c_str());
     }
     // A full disk behind a redirection shows only now.

@@ -80,6 +80,7 @@ void runProfiles(const ProfileOptions& options) {
 void addProfile(CLI::App& app) {
     auto* command =
         app.add_subcommand("profile", "measures what profiles list: times, memory, errors; plots");
+    command->footer("Examples:\n  limpid profile profiles/quick.toml -o out");
     auto options = std::make_shared<ProfileOptions>();
     command->add_option("PROFILE", options->files, "profiles (.toml)")->required();
     command->add_option("-o,--output", options->output, "folder to write to")->required();

@@ -56,6 +56,7 @@ void runReference(const ReferenceOptions& options) {
 
 void addReference(CLI::App& app) {
     auto* command = app.add_subcommand("reference", "ground truth by light tracing, in the layout of bake");
+    command->footer("Examples:\n  limpid reference scene.toml -o truth --photons 20000000");
     auto options = std::make_shared<ReferenceOptions>();
     addCommonOptions(*command, options->common);
     command->add_option("-o,--output", options->output, "folder to write to")->required();

@@ -102,6 +102,8 @@ void render(const RenderOptions& options) {
 
 void addRender(CLI::App& app) {
     auto* command = app.add_subcommand("render", "a picture: tone-mapped .png or linear .exr");
+    command->footer("Examples:\n  limpid render fish.glb -o fish.png --set light.sun.direction=[0.9,-1,0]\n  "
+                    "limpid render scene.toml -o f%04d.png --frames 0..99 --fps 25");
     auto options = std::make_shared<RenderOptions>();
     addCommonOptions(*command, options->common);
     command->add_option("-o,--output", options->output, "picture to write, .png or .exr")->required();

@@ -44,6 +44,8 @@ void view(ViewOptions& options, std::chrono::steady_clock::time_point begin) {
 void addView(CLI::App& app) {
     const auto begin = std::chrono::steady_clock::now();
     auto* command = app.add_subcommand("view", "the interactive viewer: ? in its window shows the keys");
+    command->footer(
+        "Examples:\n  limpid view fish.glb\n  limpid view scene.toml --select fish --panel understand");
     auto options = std::make_shared<ViewOptions>();
     addCommonOptions(*command, options->common);
     command->get_option("INPUT")->required(false);

@@ -1,0 +1,65 @@
+// What the shell and man are told, and what a slip of the pen is answered with.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "apps/RunProgram.h"
+#include "io/TempFolder.h"
+
+namespace limpid::test {
+namespace {
+
+using ::testing::HasSubstr;
+
+constexpr const char* commands[] = {"render", "view", "bake", "compare", "profile", "info"};
+
+/// What bash offers for the last of `words`.
+std::string completions(const std::string& words, int number) {
+    const TempFolder folder;
+    const std::string script = folder.write("limpid.bash", run("completion").out).string();
+    FILE* pipe = popen(fmt::format("bash -c 'source {}; COMP_WORDS=({}); COMP_CWORD={}; _limpid; "
+                                   "echo ${{COMPREPLY[@]}}'",
+                                   script, words, number)
+                           .c_str(),
+                       "r");
+    if (!pipe) return "";
+    char buffer[4096] = {};
+    const std::size_t bytes = std::fread(buffer, 1, sizeof(buffer) - 1, pipe);
+    pclose(pipe);
+    return std::string(buffer, bytes);
+}
+
+TEST(ShellCommand, bashCompletesCommandsOptionsAndMethods) {
+    for (const char* command : commands)
+        EXPECT_THAT(completions("limpid \"\"", 1), HasSubstr(command));
+    EXPECT_EQ(completions("limpid rend", 1), "render\n");
+    EXPECT_EQ(completions("limpid render --map", 2), "--map-size\n");
+    EXPECT_EQ(completions("limpid bake --method exa", 3), "exact-beam\n");
+}
+
+TEST(ShellCommand, theManualPageHasEveryCommandAndOption) {
+    const Result page = run("man");
+    EXPECT_EQ(page.code, 0);
+    EXPECT_TRUE(page.out.starts_with(".TH LIMPID 1")) << page.out.substr(0, 80);
+    for (const char* command : commands)
+        EXPECT_THAT(page.out, HasSubstr(fmt::format(".SS {}\n", command)));
+    EXPECT_THAT(page.out, HasSubstr("\\-\\-after\\-frames"));
+    EXPECT_THAT(page.out, HasSubstr(".SH EXIT STATUS\n"));
+}
+
+TEST(ShellCommand, aSlipIsAnsweredWithTheNearestName) {
+    const Result command = run("rendr fish.glb");
+    EXPECT_EQ(command.code, 2);
+    EXPECT_THAT(command.out, HasSubstr("found \"rendr\", did you mean \"render\"?"));
+    const Result option = run("info --jsn");
+    EXPECT_EQ(option.code, 2);
+    EXPECT_THAT(option.out, HasSubstr("did you mean \"--json\"?"));
+}
+
+TEST(ShellCommand, helpHasExamples) {
+    for (const char* command : commands)
+        EXPECT_THAT(run(fmt::format("{} --help", command)).out,
+                    HasSubstr(fmt::format("limpid {} ", command)));
+}
+
+} // namespace
+} // namespace limpid::test
