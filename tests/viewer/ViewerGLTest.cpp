@@ -255,9 +255,9 @@ TEST_F(ViewerGLTest, boxPlanesAndBeamsAreDrawnOverThePicture) {
 
 TEST_F(ViewerGLTest, twoMethodsStandSideBySide) {
     const std::vector<std::string> planes = {"--method", "level-map", "--planes", "2"};
+    display.send("mousemove 300 330"); // the X server draws the arrow into its screen
     open(folder.write("pond.toml", pond).string(), planes);
     ASSERT_TRUE(completes());
-    display.send("mousemove 300 330");
     const Screen one = screen();
     TearDown();
     fs::remove(output());
