@@ -142,7 +142,7 @@ TEST_F(CommandLineGLTest, wrongUsageIsTwo) {
     const std::string fish = models("fish.glb"), out = " -o " + path("x.png");
     const std::pair<std::string, std::string> cases[] = {
         {"", "Usage: limpid"},
-        {"paint", "expected a command (render, bake, compare, profile, info"},
+        {"paint", "expected a command (render, view, bake, compare, profile, info"},
         {"render " + fish + out + " --colour 5", "found \"--colour 5\""},
         {"render " + fish + out + " --planes 0", "expected a whole number from 1 to 4096, found 0"},
         {"bake " + fish + " -o " + path("x") + " --time nan", "--time"},
