@@ -47,19 +47,10 @@ struct TouchWork {
     std::int32_t asked = 0, count[2]{};
 };
 
-/// What one unit of a beam's flux is spread over, in its unit: the area of a texel, m², or the solid angle
-/// that it has about at the lamp, sr.
-double unfocusedFlux(const LevelMap& map, const Light& light) {
-    const double area = map.frame.texelArea();
-    if (light.type == LightType::Directional) return area;
-    const glm::dvec3 away = map.frame.box.center() - light.position;
-    return area / std::max(glm::dot(away, away), 1e-12);
-}
-
 } // namespace
 
 ExactBeams::ExactBeams(gl::Context& context)
-    : _context(context), _footprints(context), _resolve({"caustics/resolve_sums.comp"}) {}
+    : _context(context), _footprints(context), _sums(context), _resolve({"caustics/resolve_sums.comp"}) {}
 
 const gl::Program& ExactBeams::program(Pass pass, const Variant& variant) {
     std::optional<gl::Program>& program =
@@ -75,13 +66,6 @@ const gl::Program& ExactBeams::program(Pass pass, const Variant& variant) {
                                      "caustics/exact_beams_gather.comp", "caustics/exact_beams_touches.comp",
                                      "caustics/exact_beams_by_texel.comp"};
     return program.emplace(std::initializer_list<const char*>{files[int(pass)]}, defines);
-}
-
-void ExactBeams::reserveSums(std::int64_t count) {
-    const std::int64_t bytes = 8 * count;
-    if (_sums.bytes() >= bytes) return;
-    _sums = gl::Buffer(_context.ledger(), "flux sums", bytes);
-    _sums.clearToZero();
 }
 
 /// Room for the lists and tiles, both empty.
@@ -105,7 +89,6 @@ void ExactBeams::bind(const Inputs& inputs) const {
     inputs.beams.flux.bindStorage(5);
     _footprints.rays().bindStorage(6);
     _footprints.originDepths().bindStorage(7);
-    _sums.bindStorage(8);
     _lists.bindStorage(10);
     if (inputs.sceneDepth) inputs.sceneDepth->bind();
     if (inputs.beams.surfaceShadow) inputs.beams.surfaceShadow->bind(surfaceShadowUnit);
@@ -174,7 +157,7 @@ void ExactBeams::fill(CausticMap& caustics, const Inputs& inputs) {
     const bool coloured =
         inputs.colours == Colours::All || !isGrey(inputs.water.absorption + inputs.water.scattering);
     const int channels = coloured ? 3 : 1;
-    reserveSums(std::int64_t(size.x) * size.y * channels);
+    _sums.bind(std::int64_t(size.x) * size.y * channels);
     const double perStep = unfocusedFlux(inputs.map, inputs.light) / stepsPerTexel;
     if (inputs.beams.strength != glm::dvec3(0)) deposit(inputs, coloured, 1 / perStep);
 
@@ -182,7 +165,6 @@ void ExactBeams::fill(CausticMap& caustics, const Inputs& inputs) {
     inputs.map.normal.bind(0);
     inputs.planes.planes.bind(1);
     caustics.irradiance.bindImage(0, GL_WRITE_ONLY);
-    _sums.bindStorage(8);
     _resolve.set(WattsPerStep, glm::vec3(inputs.beams.strength * (perStep / inputs.map.frame.texelArea())));
     _resolve.set(Channels, channels);
     _resolve.dispatch2D(size, resolveGroupSize);

@@ -37,7 +37,7 @@ class ExactBeams {
     /// Gives back its memory until the next fill.
     void free() {
         _footprints.free();
-        _sums = {};
+        _sums.free();
         _lists = {};
         _touches = {};
         _largeBeams = {};
@@ -52,7 +52,6 @@ class ExactBeams {
         bool extinction, coloured, shaded;
     };
     const gl::Program& program(Pass pass, const Variant& variant);
-    void reserveSums(std::int64_t count);
     void prepareLists(std::int64_t quads);
     void bind(const Inputs& inputs) const;
     void set(const gl::Program& program, const Inputs& inputs, const Variant& variant,
@@ -65,8 +64,8 @@ class ExactBeams {
     gl::Context& _context;
     BeamFootprints _footprints;
     std::array<std::array<std::optional<gl::Program>, 8>, 5> _programs; ///< compiled when first needed
+    FluxSums _sums;
     gl::Program _resolve;
-    gl::Buffer _sums;       ///< zero between maps
     gl::Buffer _lists;      ///< as shaders/include/beam_lists.glsl has it
     gl::Buffer _touches;    ///< as shaders/include/beam_touches.glsl has it
     gl::Buffer _largeBeams; ///< as shaders/include/large_beams.glsl has it

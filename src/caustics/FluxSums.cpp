@@ -1,9 +1,18 @@
 #include "caustics/FluxSums.h"
 
+#include <algorithm>
+
 namespace limpid {
 
 namespace {
 constexpr GLuint binding = 8;
+}
+
+double unfocusedFlux(const LevelMap& map, const Light& light) {
+    const double area = map.frame.texelArea();
+    if (light.type == LightType::Directional) return area;
+    const glm::dvec3 away = map.frame.box.center() - light.position;
+    return area / std::max(glm::dot(away, away), 1e-12);
 }
 
 void FluxSums::bind(std::int64_t count) {

@@ -4,6 +4,8 @@
 #include "caustics/CausticMap.h"
 #include "gl/Context.h"
 #include "gl/Handles.h"
+#include "levelmap/LevelMap.h"
+#include "scene/Scene.h"
 
 namespace limpid {
 
@@ -22,6 +24,10 @@ class FluxSums {
     gl::Context& _context;
     gl::Buffer _sums;
 };
+
+/// What one unit of a beam's flux is spread over where nothing focuses it, in its unit: the area of a texel,
+/// m², or the solid angle that it has about at the lamp, sr.
+double unfocusedFlux(const LevelMap& map, const Light& light);
 
 /// Whether three numbers, by colour channel, are one.
 inline bool isGrey(const glm::dvec3& v) {

@@ -29,14 +29,6 @@ constexpr glm::ivec2 mapGroupSize{8, 8};
 /// As for exact beams: rounding is lost in a float.
 constexpr double stepsPerTexel = 1 << 22;
 
-/// What one unit of flux is spread over, in its unit (m² or sr), where nothing focuses.
-double unfocusedFlux(const LevelMap& map, const Light& light) {
-    const double area = map.frame.texelArea();
-    if (light.type == LightType::Directional) return area;
-    const glm::dvec3 away = map.frame.box.center() - light.position;
-    return area / std::max(glm::dot(away, away), 1e-12);
-}
-
 glm::vec4 rectOf(const WaterPatch& patch, const glm::dvec3& origin) {
     return glm::vec4(patch.min() - glm::dvec2(origin.x, origin.z), patch.size);
 }

@@ -23,15 +23,6 @@ double mostFlux(const Light& light, const WaterPatch& patch) {
     return light.type == LightType::Directional ? 4 * patch.size.x * patch.size.y : 4 * std::numbers::pi;
 }
 
-/// What one unit of a beam's flux is spread over, in its unit: the area of a texel, m², or the solid angle
-/// that it has about at the lamp, sr.
-double unfocusedFlux(const LevelMap& map, const Light& light) {
-    const double area = map.frame.texelArea();
-    if (light.type == LightType::Directional) return area;
-    const glm::dvec3 away = map.frame.box.center() - light.position;
-    return area / std::max(glm::dot(away, away), 1e-12);
-}
-
 /// Steps of the sums for a unit of flux: 2²² for an unfocused texel, so that rounding is below a float's, but
 /// no more than keeps 64 bits from wrapping if all the light met in one texel: a beam gives its flux 2¹⁷
 /// times to a texel that it covers as a sliver (smallestTwiceArea), and its way is up to 50 times as long as
