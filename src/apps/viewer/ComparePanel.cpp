@@ -47,7 +47,7 @@ void comparePanel(State& state) {
             float split = float(state.shown.split);
             if (ImGui::SliderFloat("split", &split, 0, 1, "%.2f")) state.shown.split = split;
         }
-        ImGui::TextDisabled("two engines are at work: it takes twice the time and memory");
+        ImGui::TextDisabled("two engines at work:\ntwice the time and memory");
     }
     ImGui::PopItemWidth();
 }
