@@ -1,8 +1,9 @@
 // Exact beams, the pass over all quads. Each finds which texels it may touch. Where they lie in one plane and nothing can
 // shade it, as on most of a floor, it is cut with that plane once and each texel takes its share here; other quads are
 // left to exact_beams_by_texel.comp, in lists, so that none of them holds up the many that are simple.
-// One invocation for the two beams of a quad, a work group for a tile of quads. In: footprints (footprints.comp), flux, depth pyramid. Out: flux sums, one
-// channel or three (COLOURED), and the lists. EXTINCTION: water takes light. SHADED: something may shade something.
+// One invocation for the two beams of a quad, a work group for a tile of quads. In: footprints (footprints.comp), flux, depth
+// pyramid. Out: flux sums, one channel or three (COLOURED), and the lists. EXTINCTION: water takes light. SHADED: something
+// may shade something.
 #include "include/beam_quads.glsl"
 #include "include/beam_sheet.glsl"
 #include "include/beam_deposit.glsl"
@@ -66,7 +67,8 @@ int fateOf(Quad quad, int index, Leant leant, Slab slab, vec2 depths) {
     // Between the corners' rays and between the depths nothing is further aside than at them, but for what a lamp's
     // rays bend; a texel is asked for at its part of the beam, and on a further map beside its face.
     float beside = (boxSize.w & 7) != 0 ? 2.0 * sceneDepthTexel() : 0.0;
-    float aside = 1.05 * max(greatestAside(quad, leant, depths.x), greatestAside(quad, leant, depths.y)) + 0.5 * boxExtent.w + beside;
+    float aside = max(greatestAside(quad, leant, depths.x), greatestAside(quad, leant, depths.y));
+    aside = 1.05 * aside + 0.5 * boxExtent.w + beside;
     vec2 certain = depthNode(depthPyramid, slab.low, slab.high).zw;
     return aside < certain.x ? arrives : aside < certain.y ? taken : unsure;
 }

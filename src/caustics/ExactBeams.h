@@ -13,9 +13,12 @@
 
 namespace limpid {
 
-/// Our own method: one compute pass over the beams, no planes. Each beam finds the depths that it meets in
-/// the level map, walks the texels that it can touch there, and gives each the flux of the part of the beam
-/// that the texel's tangent plane cuts out. Summed in integers: every run gives the same bits.
+/// Our own method: compute passes over the beams, no planes. Each beam finds the depths that it meets in the
+/// level map, walks the texels that it can touch there, and gives each the flux of the part of the beam that
+/// the texel's tangent plane cuts out. The first pass does the quads whose texels lie in one plane that
+/// nothing shades, and sorts the others into lists: quads on curved faces, quads that may be shaded (gathered
+/// touch by touch), and those that touch many texels (done in tiles). Summed in integers: every run gives the
+/// same bits.
 class ExactBeams {
   public:
     explicit ExactBeams(gl::Context& context);
