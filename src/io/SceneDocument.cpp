@@ -55,7 +55,7 @@ std::string asToml(const T& value) {
 bool sameKinds(const std::vector<Wave>& a, const std::vector<Wave>& b) {
     return a.size() == b.size() &&
            std::equal(a.begin(), a.end(), b.begin(), [](const Wave& x, const Wave& y) {
-               return x.type == y.type && x.heights == y.heights;
+               return x.type == y.type && x.heights == y.heights && x.spectrum == y.spectrum;
            });
 }
 
@@ -63,11 +63,12 @@ const toml::array* wavesOf(const toml::table& root) {
     return root["water"]["wave"].as_array();
 }
 
-/// The entry of a height map, of which just the amplitude can have changed.
-std::string heightMapText(const toml::table& root, const Scene& before, const Wave& wave) {
+/// The entry of a height map or a sea, of which just the amplitude can have changed.
+std::string textureText(const toml::table& root, const Scene& before, const Wave& wave) {
     const toml::array* entries = wavesOf(root);
     for (std::size_t i = 0; entries && i < before.water.waves.size(); ++i) {
-        if (before.water.waves[i].heights != wave.heights) continue;
+        const Wave& known = before.water.waves[i];
+        if (known.heights != wave.heights || known.spectrum != wave.spectrum) continue;
         toml::table entry = *entries->get(i)->as_table();
         entry.insert_or_assign("amplitude", wave.amplitude);
         return asToml(entry) + "\n";
@@ -79,10 +80,12 @@ std::string wavesText(const toml::table& root, const Scene& before, const Scene&
     std::string text;
     for (const Wave& wave : changed.water.waves) {
         text += "[[water.wave]]\n";
-        if (wave.type == WaveType::HeightMap) text += heightMapText(root, before, wave);
-        if (wave.type != WaveType::HeightMap)
+        if (isTexture(wave.type)) {
+            text += textureText(root, before, wave);
+        } else {
             for (const Setting& setting : settingsOf(wave, 0))
                 text += fmt::format("{} = {}\n", setting.key, setting.value);
+        }
         text += "\n";
     }
     return text;

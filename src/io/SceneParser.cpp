@@ -61,8 +61,7 @@ Camera parseCamera(TomlTable table) {
 }
 
 WaveType parseWaveType(TomlTable& table) {
-    constexpr std::string_view names[] = {"cosine", "circular", "noise", "heightmap", "phillips"};
-    return static_cast<WaveType>(table.choice("type", names));
+    return static_cast<WaveType>(table.choice("type", waveTypeNames));
 }
 
 void parseHeightMap(TomlTable& table, Wave& wave, const fs::path& folder) {
@@ -153,7 +152,7 @@ void parseWaves(TomlTable& table, Water& water, const fs::path& folder) {
     }
     int heightMaps = 0;
     for (TomlTable& wave : waves)
-        if (parseWaveType(wave) >= WaveType::HeightMap) ++heightMaps;
+        if (isTexture(parseWaveType(wave))) ++heightMaps;
     if (heightMaps > maxHeightMaps)
         throw InputError(fmt::format("{}expected at most {} height maps and spectra, found {}",
                                      table.where("wave"), maxHeightMaps, heightMaps));

@@ -60,10 +60,9 @@ void addWater(Table table, const Water& water) {
 }
 
 void addWave(Table table, const Wave& wave) {
-    constexpr std::string_view types[] = {"cosine", "circular", "noise", "heightmap"};
-    if (wave.type != WaveType::HeightMap) table.add("type", types[std::size_t(wave.type)]);
+    if (!isTexture(wave.type)) table.add("type", waveTypeNames[std::size_t(wave.type)]);
     table.add("amplitude", wave.amplitude);
-    if (wave.type == WaveType::HeightMap) return;
+    if (isTexture(wave.type)) return;
     table.add("wavelength", wave.wavelength);
     table.add("speed", wave.speed);
     if (wave.type == WaveType::Cosine) table.add("direction", wave.direction);

@@ -30,6 +30,15 @@ struct Camera {
 
 enum class WaveType { Cosine, Circular, Noise, HeightMap, Phillips };
 
+/// As scene files have them, by WaveType.
+inline constexpr std::string_view waveTypeNames[] = {"cosine", "circular", "noise", "heightmap", "phillips"};
+
+/// Whether waves of a type are read from a texture: what makes their shape is not in the fields of Wave, and
+/// a shader can bind a few only (maxHeightMaps).
+constexpr bool isTexture(WaveType type) {
+    return type == WaveType::HeightMap || type == WaveType::Phillips;
+}
+
 /// One term of the surface's height, m, at horizontal position xz and time t (see
 /// shaders/include/waves.glsl).
 struct Wave {

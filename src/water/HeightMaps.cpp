@@ -76,7 +76,7 @@ HeightMapData HeightMaps::bindSpectrum(const Wave& wave, std::size_t number, con
 std::vector<HeightMapData> HeightMaps::bind(const Water& water, const glm::dvec3& origin, double time) {
     std::vector<HeightMapData> maps;
     for (const Wave& wave : water.waves) {
-        if (wave.type != WaveType::HeightMap && wave.type != WaveType::Phillips) continue;
+        if (!isTexture(wave.type)) continue;
         if (maps.size() == _frames.size())
             throw InputError(fmt::format(
                 "water.wave: expected at most {} height maps and spectra, found more", _frames.size()));

@@ -8,6 +8,7 @@
 #include "io/SceneSettings.h"
 #include "io/TempFolder.h"
 #include "io/WaterPresets.h"
+#include "scene/Spectrum.h"
 
 namespace limpid::io {
 namespace {
@@ -89,6 +90,31 @@ TEST(SceneDocument, wavesComeAndGo) {
     changed.water.waves.clear();
     expectSame(again(document, changed, folder, &text), changed);
     EXPECT_THAT(text, Not(HasSubstr("wave")));
+}
+
+TEST(SceneDocument, aSeaStaysWhatItsFileSays) {
+    const TempFolder folder;
+    const SceneDocument document(folder.write("sea.toml",
+                                              "[[water.wave]]\ntype = \"phillips\"\namplitude = 0.02\n"
+                                              "wind = [2, 1] # from the west\nmodes = 16\n"
+                                              "[[receiver]]\nsphere = { radius = 1 }\n"));
+    const auto expectSea = [](const Scene& scene, double amplitude) {
+        const Wave& wave = scene.water.waves.front();
+        EXPECT_EQ(wave.type, WaveType::Phillips);
+        EXPECT_EQ(wave.amplitude, amplitude);
+        EXPECT_EQ(wave.spectrum->modes, 16);
+    };
+    Scene changed = document.scene();
+    changed.water.waves[0].amplitude = 0.03;
+    std::string text;
+    expectSea(again(document, changed, folder, &text), 0.03);
+    EXPECT_THAT(text, HasSubstr("wind = [2, 1] # from the west\n"));
+    // Beside a wave that is new, the sea is written again.
+    changed.water.waves.emplace_back();
+    const Scene two = again(document, changed, folder);
+    ASSERT_EQ(two.water.waves.size(), 2u);
+    expectSea(two, 0.03);
+    EXPECT_EQ(two.water.waves[1].type, WaveType::Cosine);
 }
 
 TEST(SceneDocument, aPresetThatIsChangedBecomesWaves) {

@@ -27,14 +27,10 @@ void patchFields(Water& water, double speed) {
     if (water.center) vector("center", *water.center, {.speed = speed}, "x and z, m");
 }
 
-const char* typeName(WaveType type) {
-    constexpr const char* names[] = {"cosine", "circular", "noise", "height map"};
-    return names[std::size_t(type)];
-}
-
 void typeCombo(Wave& wave) {
-    if (wave.type == WaveType::HeightMap) {
-        ImGui::TextDisabled("a height map, from the scene's file");
+    if (isTexture(wave.type)) {
+        const bool map = wave.type == WaveType::HeightMap;
+        ImGui::TextDisabled("%s, from the scene's file", map ? "a height map" : "a sea by its spectrum");
         return;
     }
     int type = int(wave.type);
@@ -45,7 +41,7 @@ void waveFields(Wave& wave, double speed) {
     typeCombo(wave);
     const double fine = std::max(0.005 * std::abs(wave.amplitude), 1e-6);
     number("amplitude", wave.amplitude, {.speed = fine}, "m, half of crest to trough");
-    if (wave.type == WaveType::HeightMap) return;
+    if (isTexture(wave.type)) return;
     number("wavelength", wave.wavelength, {.speed = 0.005 * wave.wavelength, .min = 1e-4}, "m");
     number("speed", wave.speed, {.speed = 0.005}, "m/s");
     if (wave.type == WaveType::Cosine) {
@@ -68,7 +64,7 @@ void addWave(State& state) {
     if (ImGui::Button("Add")) {
         Wave wave;
         if (!state.scene.water.waves.empty()) wave = state.scene.water.waves.back();
-        if (wave.type == WaveType::HeightMap) wave = {};
+        if (isTexture(wave.type)) wave = {};
         state.scene.water.waves.push_back(wave);
     }
     hint("another, like the last one");
@@ -103,8 +99,8 @@ void wavesSection(State& state, double speed) {
     std::optional<std::size_t> removed;
     for (std::size_t i = 0; i < waves.size(); ++i) {
         ImGui::PushID(int(i));
-        const std::string label =
-            fmt::format("{}: {}, {:.3g} m###wave", i, typeName(waves[i].type), waves[i].amplitude);
+        const std::string label = fmt::format("{}: {}, {:.3g} m###wave", i,
+                                              waveTypeNames[std::size_t(waves[i].type)], waves[i].amplitude);
         if (ImGui::TreeNode(label.c_str())) {
             waveFields(waves[i], speed);
             if (ImGui::SmallButton("Remove")) removed = i;
