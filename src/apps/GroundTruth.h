@@ -1,5 +1,8 @@
 #pragma once
 #include <filesystem>
+#include <map>
+#include <string>
+#include <tuple>
 
 #include "io/BakedFolder.h"
 #include "scene/Scene.h"
@@ -20,11 +23,21 @@ class GroundTruth {
     const io::Bake& maps(const Scene& scene);
 
   private:
+    /// Fingerprint of the light, map size, water grid: what the key of a scene's maps follows from.
+    using Planned = std::tuple<std::uint64_t, int, int, int>;
+
+    /// The name of the folder that the maps are kept in. What a map's size is depends on the water's grid
+    /// too, and to plan all maps takes a while: done once for each.
+    std::string keyOf(const Scene& scene);
+    std::uint64_t sizesOf(const Scene& scene) const; ///< a number that differs with the maps' sizes
+    io::Bake trace(const Scene& scene) const;
+
     std::filesystem::path _folder;
     std::int64_t _photons;
     double _time;
     bool _quiet;
-    std::string _key; ///< of `_maps`
+    std::map<Planned, std::string> _keys; ///< of the scenes seen so far
+    std::string _key;                     ///< of `_maps`
     io::Bake _maps;
 };
 

@@ -39,9 +39,10 @@ io::Profile loadProfile(const std::string& file, const ProfileOptions& options) 
     return profile;
 }
 
-void append(ProfileOutcome& all, ProfileOutcome&& one) {
-    std::move(one.results.begin(), one.results.end(), std::back_inserter(all.results));
-    std::move(one.histograms.begin(), one.histograms.end(), std::back_inserter(all.histograms));
+ProfileOutcome joined(ProfileOutcome all, const ProfileOutcome& one) {
+    all.results.insert(all.results.end(), one.results.begin(), one.results.end());
+    all.histograms.insert(all.histograms.end(), one.histograms.begin(), one.histograms.end());
+    return all;
 }
 
 void runProfiles(const ProfileOptions& options) {
@@ -60,16 +61,21 @@ void runProfiles(const ProfileOptions& options) {
     gl::Context context(contextOptions);
     const Machine machine = thisMachine(context.info());
     ProfileOutcome outcome;
+    const auto keep = [&](const ProfileOutcome& all) {
+        io::writeText(folder / "results.json", resultsJson(profiles, all, machine));
+        io::writeText(folder / "results.csv", resultsCsv(all));
+    };
     for (const io::Profile& profile : profiles) {
         if (profile.reference > 0 && !canTraceGroundTruth() && !options.quiet)
             fmt::print(stderr,
                        "limpid: warning: {}: this build has no ray tracer (LIMPID_REFERENCE), so there "
                        "are no error figures\n",
                        profile.name);
-        append(outcome, runProfile(context, profile, {folder / "references", options.quiet}));
+        const auto keepMore = [&](const ProfileOutcome& more) { keep(joined(outcome, more)); };
+        outcome = joined(std::move(outcome),
+                         runProfile(context, profile, {folder / "references", options.quiet, keepMore}));
     }
-    io::writeText(folder / "results.json", resultsJson(profiles, outcome, machine));
-    io::writeText(folder / "results.csv", resultsCsv(outcome));
+    keep(outcome);
     if (!options.quiet) printResults(outcome, machine);
     for (const io::Profile& profile : profiles)
         plotResults(folder, profile, outcome, machine);

@@ -18,6 +18,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+/// Seldom enough that to write what there is costs little beside what is measured.
+constexpr std::chrono::seconds keepEvery{2};
+
 double milliseconds(Clock::time_point from, Clock::time_point to) {
     return std::chrono::duration<double, std::milli>(to - from).count();
 }
@@ -53,19 +56,12 @@ void bringToOneMetre(Receiver& receiver) {
     receiver.translation = -scale * glm::dvec3(bounds.center().x, bounds.min.y, bounds.center().z);
 }
 
-std::string namesOf(const std::vector<Receiver>& receivers) {
-    std::string names;
-    for (const Receiver& receiver : receivers)
-        names += (names.empty() ? "" : "+") + receiver.name;
-    return names;
-}
-
 std::vector<Subject> loadSubjects(const io::Profile& profile) {
     std::vector<Subject> subjects;
     for (const std::filesystem::path& file : profile.scenes) {
         if (profile.receivers.empty()) {
             Scene scene = io::loadScene(file, profile.settings);
-            subjects.push_back({sceneName(file), namesOf(scene.receivers), std::move(scene)});
+            subjects.push_back({sceneName(file), receiverNames(scene), std::move(scene)});
         }
         for (const io::ProfileReceiver& receiver : profile.receivers) {
             std::vector<io::Override> overrides{{"receiver", receiver.toml}};
@@ -163,7 +159,7 @@ class Run {
     void describeWork(Series& series, std::int64_t peak);
     void compareMaps(Series& series);
     void countTexels(const Series& series);
-    void finish(Series& series);
+    ProfileOutcome soFar() const;
 
     gl::Context& _context;
     const io::Profile& _profile;
@@ -292,11 +288,21 @@ void Run::countTexels(const Series& series) {
         own->texels = planeHistogram(_engine.maps().front().level);
 }
 
-void Run::finish(Series& series) {
-    series.result.wall = spreadOf(series.wall);
-    series.result.caustics = spreadOf(series.update);
-    for (auto& [pass, times] : series.gpu)
-        series.result.gpu.emplace_back(pass, spreadOf(std::move(times)).median);
+ProfileResult finished(const Series& series) {
+    ProfileResult result = series.result;
+    result.wall = spreadOf(series.wall);
+    result.caustics = spreadOf(series.update);
+    for (const auto& [pass, times] : series.gpu)
+        result.gpu.emplace_back(pass, spreadOf(times).median);
+    return result;
+}
+
+ProfileOutcome Run::soFar() const {
+    ProfileOutcome outcome;
+    outcome.histograms = _histograms;
+    for (const Series& series : _series)
+        if (!series.wall.empty()) outcome.results.push_back(finished(series));
+    return outcome;
 }
 
 ProfileOutcome Run::run() {
@@ -306,19 +312,17 @@ ProfileOutcome Run::run() {
     _engine.render(_profile.time, _profile.picture); // makes what pictures need
     Progress progress(fmt::format("{}: frames", _profile.name), _profile.frames * int(_series.size()),
                       !_options.quiet);
+    Clock::time_point kept = Clock::now();
     int done = 0;
     for (int round = 0; round < _profile.frames; ++round)
         for (Series& series : _series) {
             progress.update(done++);
             time(series);
+            if (!_options.keep || Clock::now() - kept < keepEvery) continue;
+            _options.keep(soFar());
+            kept = Clock::now();
         }
-    ProfileOutcome outcome;
-    outcome.histograms = std::move(_histograms);
-    for (Series& series : _series) {
-        finish(series);
-        outcome.results.push_back(std::move(series.result));
-    }
-    return outcome;
+    return soFar();
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -51,6 +52,8 @@ struct ProfileOutcome {
 struct ProfileRunOptions {
     std::filesystem::path references; ///< folder that ground truth is kept in
     bool quiet = false;
+    /// Called now and then with what was measured so far: a run of an hour that is stopped leaves that.
+    std::function<void(const ProfileOutcome&)> keep;
 };
 
 /// Measures every combination of the profile's lists, round after round. Within a visit: `warmup` updates,

@@ -83,4 +83,11 @@ Bounds worldBounds(const Scene& scene) {
     return bounds;
 }
 
+std::string receiverNames(const Scene& scene) {
+    std::string names;
+    for (const Receiver& receiver : scene.receivers)
+        names += (names.empty() ? "" : "+") + receiver.name;
+    return names;
+}
+
 } // namespace limpid

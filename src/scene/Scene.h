@@ -195,4 +195,7 @@ struct Bounds {
 Bounds worldBounds(const Receiver& receiver);
 Bounds worldBounds(const Scene& scene);
 
+/// Names of the receivers, joined by "+".
+std::string receiverNames(const Scene& scene);
+
 } // namespace limpid

@@ -82,6 +82,17 @@ void expectSane(const Json& result) {
                   result["planes"].get<int>() * int(result["maps"].size()));
 }
 
+TEST_F(ProfileCommandGLTest, aRunThatIsStoppedLeavesWhatItMeasured) {
+    const std::string all =
+        fmt::format("profile {} -o {} --quiet --frames 100000", path("tiny.toml"), path("out"));
+    const std::string command = fmt::format("timeout 5 {}/limpid {} 2>&1", LIMPID_BUILD, all);
+    EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 124);
+    const Json kept = results();
+    EXPECT_EQ(kept["results"].size(), 3 * 2 * 2);
+    for (const Json& result : kept["results"])
+        EXPECT_GT(result["caustics_ms"]["min"], 0);
+}
+
 TEST_F(ProfileCommandGLTest, measuresEveryCombination) {
     const Result ran = run("profile " + path("tiny.toml") + " -o " + path("out"));
     ASSERT_EQ(ran.code, 0) << ran.out;
