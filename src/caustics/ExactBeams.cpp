@@ -47,6 +47,10 @@ struct TouchWork {
     std::int32_t asked = 0, count[2]{};
 };
 
+double fluxPerStep(const ExactBeams::Inputs& inputs) {
+    return unfocusedFlux(inputs.map, inputs.light) / stepsPerTexel;
+}
+
 } // namespace
 
 ExactBeams::ExactBeams(gl::Context& context)
@@ -122,7 +126,16 @@ void ExactBeams::depositShaded(const Use& use) {
     use(Pass::Touches, true).dispatchIndirect(_touches, 0);
 }
 
-void ExactBeams::deposit(const Inputs& inputs, bool coloured, double stepsPerFlux) {
+void ExactBeams::bindSums(const Inputs& inputs) {
+    const glm::ivec2 size = inputs.map.frame.size;
+    _sums.bind(std::int64_t(size.x) * size.y * channelsOf(inputs.colours, inputs.water));
+}
+
+void ExactBeams::deposit(const Inputs& inputs) {
+    if (inputs.beams.strength == glm::dvec3(0)) return;
+    bindSums(inputs);
+    const double stepsPerFlux = 1 / (fluxPerStep(inputs) * inputs.points);
+    const bool coloured = channelsOf(inputs.colours, inputs.water) > 1;
     const bool extinction = inputs.water.absorption + inputs.water.scattering != glm::dvec3(0);
     const bool mayBeShaded = inputs.sceneDepth || inputs.beams.surfaceShadow;
     const std::int64_t quads = std::int64_t(inputs.surface.quads.x) * inputs.surface.quads.y;
@@ -151,22 +164,17 @@ void ExactBeams::deposit(const Inputs& inputs, bool coloured, double stepsPerFlu
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
-void ExactBeams::fill(CausticMap& caustics, const Inputs& inputs) {
-    caustics.resize(_context, inputs.map.frame.size);
+void ExactBeams::resolve(CausticMap& caustics, const Inputs& inputs) {
     const glm::ivec2 size = inputs.map.frame.size;
-    const bool coloured =
-        inputs.colours == Colours::All || !isGrey(inputs.water.absorption + inputs.water.scattering);
-    const int channels = coloured ? 3 : 1;
-    _sums.bind(std::int64_t(size.x) * size.y * channels);
-    const double perStep = unfocusedFlux(inputs.map, inputs.light) / stepsPerTexel;
-    if (inputs.beams.strength != glm::dvec3(0)) deposit(inputs, coloured, 1 / perStep);
-
+    caustics.resize(_context, size);
+    bindSums(inputs);
     inputs.map.box.bindUniform(1);
     inputs.map.normal.bind(0);
     inputs.planes.planes.bind(1);
     caustics.irradiance.bindImage(0, GL_WRITE_ONLY);
-    _resolve.set(WattsPerStep, glm::vec3(inputs.beams.strength * (perStep / inputs.map.frame.texelArea())));
-    _resolve.set(Channels, channels);
+    _resolve.set(WattsPerStep,
+                 glm::vec3(inputs.beams.strength * (fluxPerStep(inputs) / inputs.map.frame.texelArea())));
+    _resolve.set(Channels, channelsOf(inputs.colours, inputs.water));
     _resolve.dispatch2D(size, resolveGroupSize);
     glMemoryBarrier(GL_ALL_BARRIER_BITS);
 }

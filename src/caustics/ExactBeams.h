@@ -34,9 +34,13 @@ class ExactBeams {
         const Light& light;
         const BeamCulling* culling = nullptr; ///< its list says which beams to ask about the map; null: all
         Colours colours = Colours::AsNeeded;
+        int points = 1; ///< of the light's disc, of which `beams` are those of one
     };
-    /// Overwrites `caustics`.
-    void fill(CausticMap& caustics, const Inputs& inputs);
+    /// Adds the light of one point of the light's disc to the sums.
+    void deposit(const Inputs& inputs);
+    /// Overwrites `caustics` with the sums, which are zero afterwards. `inputs`: those of any point.
+    void resolve(CausticMap& caustics, const Inputs& inputs);
+    void fill(CausticMap& caustics, const Inputs& inputs) { deposit(inputs), resolve(caustics, inputs); }
     /// Gives back its memory until the next fill.
     void free() {
         _footprints.free();
@@ -62,7 +66,7 @@ class ExactBeams {
     using Use = std::function<const gl::Program&(Pass pass, bool shaded)>; ///< with its uniforms set
     void byTexel(const gl::Program& program, int list) const;
     void depositShaded(const Use& use);
-    void deposit(const Inputs& inputs, bool coloured, double stepsPerFlux);
+    void bindSums(const Inputs& inputs);
 
     gl::Context& _context;
     BeamFootprints _footprints;

@@ -34,4 +34,9 @@ inline bool isGrey(const glm::dvec3& v) {
     return v.x == v.y && v.y == v.z;
 }
 
+/// Sums of a texel: one if `colours` lets it stand for all three.
+inline int channelsOf(Colours colours, const Water& water) {
+    return colours == Colours::All || !isGrey(water.absorption + water.scattering) ? 3 : 1;
+}
+
 } // namespace limpid

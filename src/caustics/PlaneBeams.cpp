@@ -64,7 +64,14 @@ void PlaneBeams::bind(const Inputs& inputs) {
     if (inputs.beams.surfaceShadow) inputs.beams.surfaceShadow->bind(surfaceShadowUnit);
 }
 
-void PlaneBeams::deposit(const Inputs& inputs, bool coloured, double stepsPerFlux, const glm::vec2& depths) {
+void PlaneBeams::bindSums(const Inputs& inputs) {
+    const glm::ivec2 size = inputs.map.frame.size;
+    _sums.bind(std::int64_t(size.x) * size.y * channelsOf(inputs.colours, inputs.water));
+}
+
+void PlaneBeams::depositBetween(const Inputs& inputs, const glm::vec2& depths) {
+    const bool coloured = channelsOf(inputs.colours, inputs.water) > 1;
+    const double stepsPerFlux = stepsOf(inputs) / inputs.points;
     const glm::dvec3 extinction = inputs.water.absorption + inputs.water.scattering;
     const bool paths = extinction != glm::dvec3(0) || inputs.beams.surfaceShadow;
     constexpr std::int32_t none[4] = {};
@@ -86,28 +93,27 @@ void PlaneBeams::deposit(const Inputs& inputs, bool coloured, double stepsPerFlu
     }
 }
 
-void PlaneBeams::fill(CausticMap& caustics, const Inputs& inputs, Dispatch dispatch) {
+void PlaneBeams::deposit(const Inputs& inputs, Dispatch dispatch) {
+    if (inputs.beams.strength == glm::dvec3(0)) return;
+    bindSums(inputs);
+    bind(inputs);
+    if (dispatch == Dispatch::Once)
+        depositBetween(inputs, allDepths);
+    else
+        for (const ReferencePlane& plane : inputs.map.planes)
+            depositBetween(inputs, glm::vec2(float(plane.depth)));
+}
+
+void PlaneBeams::resolve(CausticMap& caustics, const Inputs& inputs) {
     const glm::ivec2 size = inputs.map.frame.size;
     caustics.resize(_context, size);
-    const bool coloured =
-        inputs.colours == Colours::All || !isGrey(inputs.water.absorption + inputs.water.scattering);
-    const int channels = coloured ? 3 : 1;
-    const double stepsPerFlux = stepsOf(inputs);
-    _sums.bind(std::int64_t(size.x) * size.y * channels);
-    if (inputs.beams.strength != glm::dvec3(0)) {
-        bind(inputs);
-        if (dispatch == Dispatch::Once)
-            deposit(inputs, coloured, stepsPerFlux, allDepths);
-        else
-            for (const ReferencePlane& plane : inputs.map.planes)
-                deposit(inputs, coloured, stepsPerFlux, glm::vec2(float(plane.depth)));
-    }
+    bindSums(inputs);
     inputs.map.box.bindUniform(1);
     inputs.map.diffuse.bind(0);
     caustics.irradiance.bindImage(0, GL_WRITE_ONLY);
     _resolve.set(WattsPerStep,
-                 glm::vec3(inputs.beams.strength / (stepsPerFlux * inputs.map.frame.texelArea())));
-    _resolve.set(Channels, channels);
+                 glm::vec3(inputs.beams.strength / (stepsOf(inputs) * inputs.map.frame.texelArea())));
+    _resolve.set(Channels, channelsOf(inputs.colours, inputs.water));
     _resolve.dispatch2D(size, resolveGroupSize);
     glMemoryBarrier(GL_ALL_BARRIER_BITS);
 }

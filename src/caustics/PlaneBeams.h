@@ -34,13 +34,19 @@ class PlaneBeams {
         const Light& light;
         const BeamCulling* culling = nullptr; ///< its list says which beams to ask about the map; null: all
         Colours colours = Colours::AsNeeded;
+        int points = 1; ///< of the light's disc, of which `beams` are those of one
     };
     /// How the pass is run. One dispatch for each plane, as the thesis has it, gives the same bits as a
     /// single one.
     enum class Dispatch { Once, PlaneByPlane };
 
-    /// Overwrites `caustics`.
-    void fill(CausticMap& caustics, const Inputs& inputs, Dispatch dispatch = Dispatch::Once);
+    /// Adds the light of one point of the light's disc to the sums.
+    void deposit(const Inputs& inputs, Dispatch dispatch = Dispatch::Once);
+    /// Overwrites `caustics` with the sums, which are zero afterwards. `inputs`: those of any point.
+    void resolve(CausticMap& caustics, const Inputs& inputs);
+    void fill(CausticMap& caustics, const Inputs& inputs, Dispatch dispatch = Dispatch::Once) {
+        deposit(inputs, dispatch), resolve(caustics, inputs);
+    }
     /// Gives back its memory until the next fill.
     void free() {
         _sums.free();
@@ -54,7 +60,8 @@ class PlaneBeams {
     };
     const gl::Program& program(const Variant& variant);
     void bind(const Inputs& inputs);
-    void deposit(const Inputs& inputs, bool coloured, double stepsPerFlux, const glm::vec2& depths);
+    void bindSums(const Inputs& inputs);
+    void depositBetween(const Inputs& inputs, const glm::vec2& depths);
     gl::Context& _context;
     int _tiles;
     FluxSums _sums;

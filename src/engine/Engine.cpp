@@ -7,6 +7,7 @@
 #include "engine/Limits.h"
 #include "levelmap/MapPlan.h"
 #include "water/FlatWater.h"
+#include "water/SunDisc.h"
 #include "water/WaveTerms.h"
 
 namespace limpid {
@@ -40,7 +41,7 @@ Engine::Engine(gl::Context& context)
     : _context(context), _surface(context), _beamTracer(context), _sceneDepthPass(context),
       _surfaceShadowPass(context), _levelMapPass(context), _smartSlicing(context),
       _tangentPlanesPass(context), _planeDepthsPass(context), _drawnPlanes(context), _planeBeams(context),
-      _culling(context), _exactBeams(context), _fluxAudit(context) {}
+      _culling(context), _exactBeams(context), _discFilter(context), _fluxAudit(context) {}
 
 void Engine::requireScene(const Scene& scene, const gl::Context& context) {
     requireGrid(scene.water.grid, context.info());
@@ -128,6 +129,7 @@ void Engine::freeMaps() {
     _planeBeams.free();
     _culling.free();
     _exactBeams.free();
+    _discFilter.free();
     if (_volumetric) _volumetric->free();
     if (_photonSplat) _photonSplat->free();
     _lightsReady = false;
@@ -173,6 +175,10 @@ void Engine::traceBeams() {
         _beamTracer.trace(state.beams, _surface.mesh(),
                           state.surfaceShadow.id() ? &state.surfaceShadow : nullptr);
         if (cullsBeams()) _culling.update(state.tiles, state.beams, _surface.mesh());
+        for (DiscPoint& point : state.disc) {
+            _beamTracer.trace(point.beams, _surface.mesh(), state.beams.surfaceShadow);
+            if (cullsBeams()) _culling.update(point.tiles, point.beams, _surface.mesh());
+        }
     }
 }
 
@@ -215,12 +221,27 @@ void Engine::updateLight(int index) {
     }
     frame.surfaceShadowRect = surfaceShadowRect(light, _scene.water, _patch, _dry, _origin);
     _beamTracer.prepare(state.beams, _surface.mesh(), light, _scene.water, frame);
+    prepareDisc(index, frame);
     if (frame.surfaceShadowRect.z > 0) {
         Scope scope(_timers, "surface shadow");
         _surfaceShadowPass.draw(state.surfaceShadow, state.beams, _receivers);
     }
     state.sceneDepth = {};
     if (needsSceneDepth(index)) drawSceneDepth(index);
+}
+
+/// The other points of a disc look at what the middle does: they differ in where their rays come from alone.
+void Engine::prepareDisc(int index, const LightFrameData& middle) {
+    const Light& light = _scene.lights[std::size_t(index)];
+    std::vector<DiscPoint>& disc = _lights[std::size_t(index)].disc;
+    disc.clear();
+    if (!sumsBeams(_scene.caustics)) return;
+    const std::vector<Light> points = discPoints(light);
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        LightFrameData frame = middle;
+        frame.direction = glm::vec4(glm::normalize(points[i].direction), 0);
+        _beamTracer.prepare(disc.emplace_back().beams, _surface.mesh(), points[i], _scene.water, frame);
+    }
 }
 
 void Engine::drawSceneDepth(int index) {
@@ -316,54 +337,6 @@ void Engine::slice(LevelMap& map) {
     if (settings.slicing == Slicing::Automatic && _skipping) _smartSlicing.dropEmptyPlanes(map);
     if (settings.slicing == Slicing::Levels)
         _smartSlicing.sliceByLevels(map, settings.depthLevels, settings.threshold);
-}
-
-void Engine::fill(ReceiverMaps& maps) {
-    const LightState& state = _lights[std::size_t(maps.light)];
-    Scope scope(_timers, "caustic map");
-    if (_skipping && isDark(maps.light) && _scene.caustics.method != Method::Volumetric) {
-        maps.caustics.clear(_context, maps.level.frame.size);
-        ++_skipped.unlitMaps;
-        return;
-    }
-    countSkipped(maps);
-    const Colours colours = _skipping ? Colours::AsNeeded : Colours::All;
-    switch (_scene.caustics.method) {
-    case Method::LevelMap:
-    case Method::LevelMapSmart:
-        if (_scene.caustics.fill == Fill::Drawn) {
-            _drawnPlanes.fill(maps.caustics, maps.level, state.beams, _surface.mesh(), _scene.water);
-            break;
-        }
-        if (cullsBeams()) cullBeams(maps);
-        _planeBeams.fill(maps.caustics, {maps.level, maps.depths, state.beams, _surface.mesh(), _patch,
-                                         _scene.water, _scene.lights[std::size_t(maps.light)],
-                                         cullsBeams() ? &_culling : nullptr, colours});
-        break;
-    case Method::ExactBeam:
-        if (cullsBeams()) cullBeams(maps);
-        _exactBeams.fill(maps.caustics,
-                         {maps.level, maps.receiver, maps.tangents, sceneDepthOf(maps), state.beams,
-                          _surface.mesh(), _scene.water, _scene.lights[std::size_t(maps.light)],
-                          cullsBeams() ? &_culling : nullptr, colours});
-        break;
-    case Method::Volumetric:
-        _volumetric->drawCaustics(maps.slices, maps.level, state.beams, _surface.mesh(), _scene.water);
-        _volumetric->combine(maps.caustics, maps.level, maps.slices);
-        break;
-    case Method::PhotonSplat:
-        splatPhotons(maps);
-        break;
-    }
-}
-
-void Engine::splatPhotons(ReceiverMaps& maps) {
-    if (!_photonSplat) _photonSplat = std::make_unique<PhotonSplat>(_context);
-    Bounds wet;
-    for (const glm::dvec3& p : _submerged[std::size_t(maps.receiver)])
-        wet.add(p);
-    _photonSplat->fill(maps.caustics, {maps.level, _lights[std::size_t(maps.light)].beams, _surface.mesh(),
-                                       _patch, _origin, _scene, _scene.lights[std::size_t(maps.light)], wet});
 }
 
 FluxBalance Engine::auditFlux(int index) {

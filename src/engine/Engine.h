@@ -6,6 +6,7 @@
 
 #include "caustics/BeamTiles.h"
 #include "caustics/CausticMap.h"
+#include "caustics/DiscFilter.h"
 #include "caustics/DrawnPlanes.h"
 #include "caustics/ExactBeams.h"
 #include "caustics/FluxAudit.h"
@@ -30,14 +31,21 @@
 
 namespace limpid {
 
+/// Beams of one more point of a light's disc.
+struct DiscPoint {
+    Beams beams;
+    BeamTiles tiles;
+};
+
 /// What one light does: its beams, and what they meet first if the water were flat.
 struct LightState {
     Beams beams;
     SceneDepth sceneDepth;
-    gl::Texture surfaceShadow; ///< empty if nothing stands out of the water
-    gl::Texture lampShadow;    ///< empty unless a lamp is under water and a picture shows it
-    double farthest = 1;       ///< m of water to the farthest receiver, at most
-    BeamTiles tiles;           ///< where beams are passed over many at a time
+    gl::Texture surfaceShadow;   ///< empty if nothing stands out of the water
+    gl::Texture lampShadow;      ///< empty unless a lamp is under water and a picture shows it
+    double farthest = 1;         ///< m of water to the farthest receiver, at most
+    BeamTiles tiles;             ///< where beams are passed over many at a time
+    std::vector<DiscPoint> disc; ///< besides its middle, whose beams are `beams`; empty for a point far away
 };
 
 /// The maps of one receiver and one light.
@@ -123,12 +131,13 @@ class Engine {
     auto withPicture(glm::ivec2 size, Use&& use);
     void updateSurface(double time);
     void updateLight(int light);
+    void prepareDisc(int light, const LightFrameData& middle);
     void traceBeams();
     void updateMaps(ReceiverMaps& maps);
     void updateReceiver(ReceiverMaps& maps);
     bool isDark(int light) const;
     bool cullsBeams() const;
-    void cullBeams(ReceiverMaps& maps);
+    const BeamCulling* cullBeams(ReceiverMaps& maps, const BeamTiles& tiles);
     void countSkipped(const ReceiverMaps& maps);
     std::vector<bool> shownMaps(glm::ivec2 size);
     void prepareMaps(ReceiverMaps& maps);
@@ -139,6 +148,8 @@ class Engine {
     const SceneDepth* sceneDepthOf(const ReceiverMaps& maps) const;
     void slice(LevelMap& map);
     void fill(ReceiverMaps& maps);
+    template <typename Pass, typename InputsOf>
+    void fillInOnePass(Pass& pass, ReceiverMaps& maps, const InputsOf& inputsOf);
     void drawSlices(ReceiverMaps& maps);
     void splatPhotons(ReceiverMaps& maps);
     void freeMaps();
@@ -161,6 +172,7 @@ class Engine {
     PlaneBeams _planeBeams;
     BeamCulling _culling;
     ExactBeams _exactBeams;
+    DiscFilter _discFilter;
     std::unique_ptr<Volumetric> _volumetric;   ///< made when a scene asks for it
     std::unique_ptr<PhotonSplat> _photonSplat; ///< likewise
     FluxAudit _fluxAudit;

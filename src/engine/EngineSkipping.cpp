@@ -9,18 +9,19 @@ bool Engine::isDark(int light) const {
 }
 
 bool Engine::cullsBeams() const {
-    const CausticsSettings& settings = _scene.caustics;
-    return _skipping && fillOf(settings.method, settings.fill) == Fill::OnePass;
+    return _skipping && sumsBeams(_scene.caustics);
 }
 
-void Engine::cullBeams(ReceiverMaps& maps) {
+/// Null where all beams are to be asked.
+const BeamCulling* Engine::cullBeams(ReceiverMaps& maps, const BeamTiles& tiles) {
+    if (!cullsBeams()) return nullptr;
     const bool exact = _scene.caustics.method == Method::ExactBeam;
-    _culling.cull(_lights[std::size_t(maps.light)].tiles, maps.level,
-                  exact ? maps.tangents.depthPyramid : maps.depths.pyramid,
+    _culling.cull(tiles, maps.level, exact ? maps.tangents.depthPyramid : maps.depths.pyramid,
                   exact ? BeamCulling::Depths::Leaning : BeamCulling::Depths::Planes);
     if (!maps.askedBeams.id()) maps.askedBeams = gl::Buffer(_context.ledger(), "beam tiles", 4);
     maps.askedBeams.copy(_culling.kept(), BeamCulling::beamCountOffset, sizeof(std::uint32_t));
     maps.culled = true;
+    return &_culling;
 }
 
 /// What filling a map leaves out by its settings.

@@ -47,10 +47,11 @@ std::vector<std::string> sceneWarnings(const Scene& scene, const WaterPatch& pat
         if (!entersWater(light, scene.water))
             warnings.push_back(fmt::format(
                 "light.{}: does not enter the water from above, so it makes no caustics", light.name));
-        if (light.angularDiameter > 0)
+        if (light.angularDiameter > 0 && !sumsBeams(scene.caustics))
             warnings.push_back(
-                fmt::format("light.{}.angular_diameter: not yet used, the light is taken as a point far away",
-                            light.name));
+                fmt::format("light.{}.angular_diameter: not used by {}, which takes the light as a point far "
+                            "away; exact-beam and level maps in one pass do",
+                            light.name, methodName(scene.caustics.method)));
     }
     for (const Receiver& receiver : scene.receivers)
         if (worldBounds(receiver).min.y >= scene.water.level)

@@ -63,6 +63,10 @@ Fill fillOf(Method method, Fill asked) {
     return method == Method::ExactBeam || method == Method::PhotonSplat ? Fill::OnePass : Fill::Drawn;
 }
 
+bool sumsBeams(const CausticsSettings& settings) {
+    return settings.method != Method::PhotonSplat && fillOf(settings.method, settings.fill) == Fill::OnePass;
+}
+
 std::string_view godrayMethodName(GodrayMethod method) {
     return method == GodrayMethod::None ? "none" : "photon-lines";
 }

@@ -180,6 +180,9 @@ std::optional<Fill> fillFromName(std::string_view name);
 bool hasFills(Method method);
 /// How a method comes to its light where `asked` is.
 Fill fillOf(Method method, Fill asked);
+/// Whether the light is summed beam by beam in compute passes: beams are passed over many at a time, and a
+/// light's disc is more than a point.
+bool sumsBeams(const CausticsSettings& settings);
 std::string_view godrayMethodName(GodrayMethod method);
 
 /// Bounds of the receivers in the world, m; empty (min > max) without any.

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/Optics.h"
+#include "water/SunDisc.h"
 #include "water/WaveTerms.h"
 
 namespace limpid {
@@ -49,16 +50,11 @@ std::vector<Light> partsOf(const Light& light) {
     std::vector<Light> parts{light};
     if (light.type != LightType::Directional || light.angularDiameter <= 0) return parts;
     constexpr int sides = 8;
-    const glm::dvec3 middle = glm::normalize(light.direction);
-    const glm::dvec3 helper = std::abs(middle.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 0, 1);
-    const glm::dvec3 right = glm::normalize(glm::cross(helper, middle)), down = glm::cross(middle, right);
     // The disc lies within the polygon.
-    const double radius =
-        std::tan(0.5 * glm::radians(light.angularDiameter)) / std::cos(std::numbers::pi / sides);
+    const double radius = 1 / std::cos(std::numbers::pi / sides);
     for (int i = 0; i < sides; ++i) {
         const double turn = 2 * std::numbers::pi * i / sides;
-        parts.push_back(light);
-        parts.back().direction = middle + radius * (std::cos(turn) * right + std::sin(turn) * down);
+        parts.push_back(beside(light, radius * glm::dvec2(std::cos(turn), std::sin(turn))));
     }
     return parts;
 }

@@ -125,6 +125,47 @@ TEST_F(ExactBeamsGLTest, lightBalancesUnderWaves) {
     EXPECT_LT(std::abs(flux.rejected), 0.002 * flux.entering);
 }
 
+/// A plate 1.1 m over a floor, the sun straight above flat water.
+Scene plateOverFloor(const glm::dvec3& place, double turn) {
+    Scene scene;
+    scene.receivers = {scenes::floorAt(-2), scenes::floorAt(0, 0.8)};
+    scene.receivers[1].name = "plate";
+    scene.receivers[1].translation = place;
+    scene.receivers[1].rotation = glm::angleAxis(turn, glm::dvec3(0, 1, 0));
+    scene.lights = {scenes::sunAt(0)};
+    scene.water.grid = {128, 128};
+    scene.caustics.mapSize = 256;
+    scene.caustics.method = Method::ExactBeam;
+    return scene;
+}
+
+TEST_F(ExactBeamsGLTest, aSunsDiscGivesHalfShadows) {
+    // The plate's left edge is above the floor's middle.
+    Scene scene = plateOverFloor({0.4, -0.9, 0}, 0);
+    const double hard = bake(scene).maps[0].irradiance[0];
+    scene.lights[0].angularDiameter = 4;
+    const MapData soft = bake(scene).maps[0];
+    const auto share = [&](int x) {
+        return soft.irradiance[3 * (std::size_t(soft.size.y / 2 * soft.size.x) + std::size_t(x))] / hard;
+    };
+    // How far the rim's light comes aside from the surface to the floor, texels.
+    const int radius = int(128 * 2 * std::tan(glm::radians(2.0)) / scene.water.ior);
+    const int edge = soft.size.x / 2;
+    EXPECT_NEAR(share(edge - radius - 2), 1, 0.002) << "beyond the half-shadow";
+    // One of four points may lie on the edge, and counts on either side of it.
+    EXPECT_NEAR(0.5 * (share(edge - 1) + share(edge)), 0.5, 0.125) << "half of the disc is hidden";
+    EXPECT_NEAR(share(edge + radius + 2), 0, 0.002) << "in full shadow";
+    for (int x = edge - radius - 2; x < edge + radius + 2; ++x)
+        EXPECT_GE(share(x), share(x + 1) - 0.002) << "at texel " << x;
+}
+
+TEST_F(ExactBeamsGLTest, halfShadowsTakeAndGiveTheSameLight) {
+    Scene scene = plateOverFloor({0.13, -0.9, 0.07}, 0.3);
+    const double hard = bake(scene).maps[0].deposited;
+    scene.lights[0].angularDiameter = 4;
+    EXPECT_NEAR(bake(scene).maps[0].deposited / hard, 1, 0.002);
+}
+
 TEST_F(ExactBeamsGLTest, aSeamLeftOpenLetsNoLightThrough) {
     Scene scene = floorPastSphere();
     scene.water.waves = {scenes::cosine(0.02, 0.3, {1, 0.4})};

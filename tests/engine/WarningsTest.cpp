@@ -46,7 +46,8 @@ TEST(Warnings, nameWhatTakesNoPart) {
     scene.receivers.push_back(scenes::shape("gull", makeSphere(0.1, glm::vec3(1)), {0, 2, 0}));
     scene.lights.push_back(scenes::sunAt(95, "night"));
     scene.lights[0].angularDiameter = 0.53;
-    EXPECT_THAT(warningsOf(scene), ElementsAre(HasSubstr("light.sun.angular_diameter: not yet used"),
+    scene.caustics.method = Method::Volumetric;
+    EXPECT_THAT(warningsOf(scene), ElementsAre(HasSubstr("light.sun.angular_diameter: not used by volumetric"),
                                                HasSubstr("light.night: does not enter the water"),
                                                HasSubstr("receiver.gull: lies above the water")));
 }

@@ -1,0 +1,72 @@
+#include "engine/Engine.h"
+
+/// How each method comes to the light of a map.
+namespace limpid {
+
+using Scope = gl::PassTimers::Scope;
+
+/// The middle of a light's disc goes last, so that it is the one whose passed-over beams are counted.
+template <typename Pass, typename InputsOf>
+void Engine::fillInOnePass(Pass& pass, ReceiverMaps& maps, const InputsOf& inputsOf) {
+    const LightState& state = _lights[std::size_t(maps.light)];
+    const int points = 1 + int(state.disc.size());
+    for (const DiscPoint& point : state.disc)
+        pass.deposit(inputsOf(point.beams, cullBeams(maps, point.tiles), points));
+    const auto middle = inputsOf(state.beams, cullBeams(maps, state.tiles), points);
+    pass.deposit(middle);
+    pass.resolve(maps.caustics, middle);
+    if (state.disc.empty()) return;
+    const Light& light = _scene.lights[std::size_t(maps.light)];
+    _discFilter.apply(maps.caustics, {maps.level, state.beams, light, _scene.water, state.farthest});
+}
+
+void Engine::fill(ReceiverMaps& maps) {
+    const LightState& state = _lights[std::size_t(maps.light)];
+    const Light& light = _scene.lights[std::size_t(maps.light)];
+    Scope scope(_timers, "caustic map");
+    if (_skipping && isDark(maps.light) && _scene.caustics.method != Method::Volumetric) {
+        maps.caustics.clear(_context, maps.level.frame.size);
+        ++_skipped.unlitMaps;
+        return;
+    }
+    countSkipped(maps);
+    const Colours colours = _skipping ? Colours::AsNeeded : Colours::All;
+    switch (_scene.caustics.method) {
+    case Method::LevelMap:
+    case Method::LevelMapSmart:
+        if (_scene.caustics.fill == Fill::Drawn) {
+            _drawnPlanes.fill(maps.caustics, maps.level, state.beams, _surface.mesh(), _scene.water);
+            break;
+        }
+        fillInOnePass(_planeBeams, maps, [&](const Beams& beams, const BeamCulling* culling, int points) {
+            return PlaneBeams::Inputs{maps.level,   maps.depths, beams,   _surface.mesh(), _patch,
+                                      _scene.water, light,       culling, colours,         points};
+        });
+        break;
+    case Method::ExactBeam:
+        fillInOnePass(_exactBeams, maps, [&](const Beams& beams, const BeamCulling* culling, int points) {
+            return ExactBeams::Inputs{maps.level, maps.receiver,   maps.tangents, sceneDepthOf(maps),
+                                      beams,      _surface.mesh(), _scene.water,  light,
+                                      culling,    colours,         points};
+        });
+        break;
+    case Method::Volumetric:
+        _volumetric->drawCaustics(maps.slices, maps.level, state.beams, _surface.mesh(), _scene.water);
+        _volumetric->combine(maps.caustics, maps.level, maps.slices);
+        break;
+    case Method::PhotonSplat:
+        splatPhotons(maps);
+        break;
+    }
+}
+
+void Engine::splatPhotons(ReceiverMaps& maps) {
+    if (!_photonSplat) _photonSplat = std::make_unique<PhotonSplat>(_context);
+    Bounds wet;
+    for (const glm::dvec3& p : _submerged[std::size_t(maps.receiver)])
+        wet.add(p);
+    _photonSplat->fill(maps.caustics, {maps.level, _lights[std::size_t(maps.light)].beams, _surface.mesh(),
+                                       _patch, _origin, _scene, _scene.lights[std::size_t(maps.light)], wet});
+}
+
+} // namespace limpid
