@@ -20,6 +20,8 @@ layout(binding = 2) uniform sampler2D positionMap; // RG32F
 #endif
 layout(local_size_x = 64) in;
 const int mostTexels = 256; // that one invocation walks
+const int settled = -1;     // of a tile: the quad was walked as one slab
+const vec2 everyDepth = vec2(-1e30, 1e30);
 layout(binding = 0) uniform sampler2D planeDepths; // RGBA32F, m
 layout(binding = 1) uniform sampler2D normalMap;   // RG16
 layout(std430, binding = 3) readonly buffer BeamOrigins { vec4 origins[]; };
@@ -86,9 +88,9 @@ bool walkBetween(Quad quad, vec2 depths, out Walk walk) {
     return all(lessThanEqual(walk.low, walk.high));
 }
 
-// The same over the planes that are found there, asked for again until it settles.
-bool findWalk(Quad quad, out Walk walk) {
-    vec2 depths = texelFetch(planeDepths, ivec2(0), textureQueryLevels(planeDepths) - 1).xy;
+// The same over the planes that are found there, asked for again until it settles. `depths`: of those planes.
+bool findWalk(Quad quad, out Walk walk, out vec2 depths) {
+    depths = texelFetch(planeDepths, ivec2(0), textureQueryLevels(planeDepths) - 1).xy;
     depths = vec2(max(depths.x, depthLimits.x), min(depths.y, depthLimits.y));
     if (depths.x > depths.y) return false;
     for (int i = 0; i < 4; ++i) {
@@ -101,6 +103,34 @@ bool findWalk(Quad quad, out Walk walk) {
         depths = found;
     }
     return true;
+}
+
+int texelsOf(Walk walk) {
+    ivec2 size = walk.high - walk.low + 1;
+    return size.x * size.y;
+}
+
+// Light along the receiver sweeps over many texels and meets few. The planes that it may meet are cut into so many slabs
+// that it sweeps about its own width in each; a power of two, so that whole runs of them can be passed over.
+int slabsAlong(Quad quad, vec2 depths) {
+    precise vec2 slope = max(max(abs(quad.p.zw), abs(quad.q.zw)), max(abs(quad.r.zw), abs(quad.s.zw)));
+    precise vec2 across = max(abs(quad.q.xy - quad.p.xy), abs(quad.r.xy - quad.s.xy));
+    precise float step = max(max(across.x, across.y), 6.0);
+    precise float sweep = max(slope.x, slope.y) * (depths.y - depths.x) / step;
+    return 1 << clamp(findMSB(int(min(sweep, 255.0))) + 1, 0, 8);
+}
+
+// Depths of `run` slabs from `index` of `count`. The same bits wherever it is asked: a plane belongs to one slab.
+vec2 slabDepths(vec2 depths, int index, int run, int count) {
+    precise vec2 within = depths.x + (depths.y - depths.x) * (vec2(float(index), float(index + run)) / float(count));
+    return vec2(index == 0 ? depths.x : within.x, index + run == count ? depths.y : within.y);
+}
+
+// False if the beam meets nothing in the slab.
+bool walkSlab(Quad quad, vec2 slab, out Walk walk) {
+    if (!walkBetween(quad, slab, walk)) return false;
+    vec2 found = depthRange(planeDepths, walk.low, walk.high);
+    return found.x <= slab.y && found.y >= slab.x;
 }
 
 // Shares of three corners, given from a place, in what lies between them at that place.
@@ -135,9 +165,10 @@ vec3 beamFlux(vec4 a, vec4 b, vec4 c, vec3 starts, float flux, ivec2 texel, floa
 #endif
 }
 
-void touch(Quad quad, bool far, ivec2 texel) {
+// `from`: planes above it are another slab's.
+void touch(Quad quad, bool far, ivec2 texel, float from, float to) {
     float depth = texelFetch(planeDepths, texel, 0).x;
-    if (depth < depthLimits.x || depth > depthLimits.y) return;
+    if (depth < depthLimits.x || depth > depthLimits.y || depth < from || depth >= to) return;
     vec2 centre = vec2(texel) + 0.5;
     Corners corners = Corners(snapped(onPlane(quad.p, depth) - centre), snapped(onPlane(quad.q, depth) - centre),
                               snapped(onPlane(quad.r, depth) - centre), snapped(onPlane(quad.s, depth) - centre));
@@ -155,31 +186,70 @@ void touch(Quad quad, bool far, ivec2 texel) {
 
 #ifdef LARGE
 // One work group a tile.
+bool findTile(ivec4 tile, Quad quad, out Walk walk, out vec2 slab) {
+    vec2 depths;
+    slab = everyDepth;
+    if (!findWalk(quad, walk, depths)) return false;
+    if (tile.y < 0) return true;
+    int count = slabsAlong(quad, depths);
+    slab = slabDepths(depths, tile.y, 1, count);
+    if (!walkSlab(quad, slab, walk)) return false;
+    if (tile.y == count - 1) slab.y = everyDepth.y;
+    return true;
+}
+
 void main() {
     int count = min(tileCount, tiles.length());
     for (int item = int(gl_WorkGroupID.x); item < count; item += int(gl_NumWorkGroups.x)) {
         ivec4 tile = tiles[item];
         Quad quad;
         Walk walk;
-        if (tile.x < 0 || !loadQuad(ivec2(tile.x % quads.x, tile.x / quads.x), quad) || !findWalk(quad, walk)) continue;
+        vec2 slab;
+        if (tile.x < 0 || !loadQuad(ivec2(tile.x % quads.x, tile.x / quads.x), quad) || !findTile(tile, quad, walk, slab)) continue;
         for (int i = int(gl_LocalInvocationIndex); i < tileSide * tileSide; i += int(gl_WorkGroupSize.x)) {
             ivec2 texel = tile.zw + ivec2(i % tileSide, i / tileSide);
-            if (all(lessThanEqual(texel, walk.high))) touch(quad, walk.far, texel);
+            if (all(lessThanEqual(texel, walk.high))) touch(quad, walk.far, texel, slab.x, slab.y);
         }
     }
 }
 #else
+void walkTexels(Quad quad, int index, int number, Walk walk, vec2 slab) {
+    int count = texelsOf(walk);
+    if (count > mostTexels && leaveToMany(index, number, walk.low, walk.high)) return;
+    ivec2 texel = walk.low;
+    for (int i = 0; i < count; ++i) {
+        touch(quad, walk.far, texel, slab.x, slab.y);
+        if (++texel.x > walk.high.x) texel = ivec2(walk.low.x, texel.y + 1);
+    }
+}
+
+void walkSlabs(Quad quad, int index, vec2 depths) {
+    int count = slabsAlong(quad, depths), run = count;
+    for (int i = 0; i < count;) {
+        Walk walk;
+        vec2 slab = slabDepths(depths, i, run, count);
+        bool met = walkSlab(quad, slab, walk);
+        if (met && run > 1) {
+            run /= 2;
+            continue;
+        }
+        if (i + run == count) slab.y = everyDepth.y;
+        if (met) walkTexels(quad, index, i, walk, slab);
+        i += run;
+        run = i & -i;
+    }
+}
+
 void main() {
     ivec2 at;
     Quad quad;
     Walk walk;
-    if (!workQuad(quads, at) || !loadQuad(at, quad) || !findWalk(quad, walk)) return;
-    ivec2 size = walk.high - walk.low + 1;
-    if (size.x * size.y > mostTexels && leaveToMany(at.y * quads.x + at.x, 0, walk.low, walk.high)) return;
-    ivec2 texel = walk.low;
-    for (int i = 0; i < size.x * size.y; ++i) {
-        touch(quad, walk.far, texel);
-        if (++texel.x > walk.high.x) texel = ivec2(walk.low.x, texel.y + 1);
-    }
+    vec2 depths;
+    if (!workQuad(quads, at) || !loadQuad(at, quad) || !findWalk(quad, walk, depths)) return;
+    int index = at.y * quads.x + at.x;
+    if (texelsOf(walk) <= mostTexels || depths.x == depths.y)
+        walkTexels(quad, index, settled, walk, everyDepth);
+    else
+        walkSlabs(quad, index, depths);
 }
 #endif

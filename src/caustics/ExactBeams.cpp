@@ -26,10 +26,6 @@ constexpr glm::ivec2 resolveGroupSize{8, 8};
 /// holds a thousandfold focus.
 constexpr double stepsPerTexel = 1 << 22;
 
-/// Tiles of large beams that wait for their pass, a work group each: 1 MiB of them. Beyond, beams are walked
-/// where they are.
-constexpr std::int64_t mostTiles = 65535;
-
 /// Touches of quads that may be shaded, which wait for their pass: 16 MiB of them. Quads beyond are walked as
 /// wide ones are.
 constexpr std::int64_t mostTouches = 1 << 21;
@@ -54,7 +50,8 @@ double fluxPerStep(const ExactBeams::Inputs& inputs) {
 } // namespace
 
 ExactBeams::ExactBeams(gl::Context& context)
-    : _context(context), _footprints(context), _sums(context), _resolve({"caustics/resolve_sums.comp"}) {}
+    : _context(context), _footprints(context), _sums(context), _resolve({"caustics/resolve_sums.comp"}),
+      _largeBeams(context) {}
 
 const gl::Program& ExactBeams::program(Pass pass, const Variant& variant) {
     std::optional<gl::Program>& program =
@@ -79,9 +76,7 @@ void ExactBeams::prepareLists(std::int64_t quads) {
     const std::int64_t bytes = std::int64_t(sizeof(none)) + 3 * 4 * quads;
     if (_lists.bytes() != bytes) _lists = gl::Buffer(ledger, "beam lists", bytes);
     _lists.write(0, sizeof(none), none);
-    if (!_largeBeams.id()) _largeBeams = gl::Buffer(ledger, "large beams", 16 * (mostTiles + 1));
-    constexpr ListWork noTiles;
-    _largeBeams.write(0, sizeof(noTiles), &noTiles);
+    _largeBeams.clear();
 }
 
 void ExactBeams::bind(const Inputs& inputs) const {
@@ -155,12 +150,11 @@ void ExactBeams::deposit(const Inputs& inputs) {
     BeamCulling::dispatch(use(Pass::AllQuads, mayBeShaded), inputs.culling, inputs.surface.quads);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
 
-    _largeBeams.bindStorage(9);
+    _largeBeams.bind();
     if (mayBeShaded) depositShaded(use);
     byTexel(use(Pass::Listed, false), Plain);
     if (mayBeShaded) byTexel(use(Pass::Listed, true), Wide);
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
-    use(Pass::Tiles, mayBeShaded).dispatchIndirect(_largeBeams, 0);
+    _largeBeams.dispatch(use(Pass::Tiles, mayBeShaded));
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 

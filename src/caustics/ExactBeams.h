@@ -6,6 +6,7 @@
 #include "caustics/BeamFootprints.h"
 #include "caustics/CausticMap.h"
 #include "caustics/FluxSums.h"
+#include "caustics/LargeBeams.h"
 #include "gl/Program.h"
 #include "levelmap/LevelMap.h"
 #include "levelmap/TangentPlanes.h"
@@ -47,7 +48,7 @@ class ExactBeams {
         _sums.free();
         _lists = {};
         _touches = {};
-        _largeBeams = {};
+        _largeBeams.free();
     }
 
   private:
@@ -73,9 +74,9 @@ class ExactBeams {
     std::array<std::array<std::optional<gl::Program>, 8>, 5> _programs; ///< compiled when first needed
     FluxSums _sums;
     gl::Program _resolve;
-    gl::Buffer _lists;      ///< as shaders/include/beam_lists.glsl has it
-    gl::Buffer _touches;    ///< as shaders/include/beam_touches.glsl has it
-    gl::Buffer _largeBeams; ///< as shaders/include/large_beams.glsl has it
+    gl::Buffer _lists;   ///< as shaders/include/beam_lists.glsl has it
+    gl::Buffer _touches; ///< as shaders/include/beam_touches.glsl has it
+    LargeBeams _largeBeams;
 };
 
 } // namespace limpid

@@ -15,8 +15,6 @@ constexpr int groupSize = 64;
 constexpr glm::ivec2 resolveGroupSize{8, 8};
 constexpr glm::vec2 allDepths{-1e29f, 1e29f};
 
-constexpr int largeGroups = 512;
-
 /// More than all flux that may enter: of a directional light, the patch seen along it, m², for waves of
 /// slopes up to 3; of a lamp, all directions, sr.
 double mostFlux(const Light& light, const WaterPatch& patch) {
@@ -35,7 +33,8 @@ double stepsOf(const PlaneBeams::Inputs& inputs) {
 } // namespace
 
 PlaneBeams::PlaneBeams(gl::Context& context, int tiles)
-    : _context(context), _tiles(tiles), _sums(context), _resolve({"caustics/resolve_planes.comp"}) {}
+    : _context(context), _sums(context), _resolve({"caustics/resolve_planes.comp"}),
+      _largeBeams(context, tiles) {}
 
 const gl::Program& PlaneBeams::program(const Variant& variant) {
     std::optional<gl::Program>& program =
@@ -50,8 +49,6 @@ const gl::Program& PlaneBeams::program(const Variant& variant) {
 }
 
 void PlaneBeams::bind(const Inputs& inputs) {
-    if (!_largeBeams.id())
-        _largeBeams = gl::Buffer(_context.ledger(), "large beams", 16 * (std::int64_t(_tiles) + 1));
     inputs.beams.frame.bindUniform(0);
     inputs.map.box.bindUniform(1);
     inputs.depths.pyramid.bind(0);
@@ -60,7 +57,6 @@ void PlaneBeams::bind(const Inputs& inputs) {
     inputs.beams.origins.bindStorage(3);
     inputs.beams.directions.bindStorage(4);
     inputs.beams.flux.bindStorage(5);
-    _largeBeams.bindStorage(9);
     if (inputs.beams.surfaceShadow) inputs.beams.surfaceShadow->bind(surfaceShadowUnit);
 }
 
@@ -74,8 +70,8 @@ void PlaneBeams::depositBetween(const Inputs& inputs, const glm::vec2& depths) {
     const double stepsPerFlux = stepsOf(inputs) / inputs.points;
     const glm::dvec3 extinction = inputs.water.absorption + inputs.water.scattering;
     const bool paths = extinction != glm::dvec3(0) || inputs.beams.surfaceShadow;
-    constexpr std::int32_t none[4] = {};
-    _largeBeams.write(0, sizeof(none), none);
+    _largeBeams.clear();
+    _largeBeams.bind();
     for (const bool large : {false, true}) {
         const gl::Program& program = this->program({paths, coloured, large});
         program.set(Quads, inputs.surface.quads);
@@ -86,7 +82,7 @@ void PlaneBeams::depositBetween(const Inputs& inputs, const glm::vec2& depths) {
             program.set(TestSurfaceShadow, inputs.beams.surfaceShadow ? 1 : 0);
         }
         if (large)
-            program.dispatch(largeGroups * groupSize, groupSize);
+            _largeBeams.dispatch(program);
         else
             BeamCulling::dispatch(program, inputs.culling, inputs.surface.quads);
         glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);

@@ -5,6 +5,7 @@
 #include "caustics/BeamTiles.h"
 #include "caustics/CausticMap.h"
 #include "caustics/FluxSums.h"
+#include "caustics/LargeBeams.h"
 #include "gl/Program.h"
 #include "levelmap/LevelMap.h"
 #include "levelmap/PlaneDepths.h"
@@ -20,9 +21,8 @@ namespace limpid {
 /// `level-map-smart`: planes without texels take no time.
 class PlaneBeams {
   public:
-    /// `tiles`: room for parts of large beams that wait for their pass, 16 bytes each; what finds none is
-    /// walked by one invocation.
-    explicit PlaneBeams(gl::Context& context, int tiles = 65536);
+    /// `tiles`: as LargeBeams has it.
+    explicit PlaneBeams(gl::Context& context, int tiles = LargeBeams::mostTiles);
 
     struct Inputs {
         const LevelMap& map;
@@ -50,7 +50,7 @@ class PlaneBeams {
     /// Gives back its memory until the next fill.
     void free() {
         _sums.free();
-        _largeBeams = {};
+        _largeBeams.free();
     }
 
   private:
@@ -63,11 +63,10 @@ class PlaneBeams {
     void bindSums(const Inputs& inputs);
     void depositBetween(const Inputs& inputs, const glm::vec2& depths);
     gl::Context& _context;
-    int _tiles;
     FluxSums _sums;
     std::array<std::optional<gl::Program>, 8> _programs; ///< compiled when first needed
     gl::Program _resolve;
-    gl::Buffer _largeBeams; ///< as shaders/include/large_beams.glsl has it
+    LargeBeams _largeBeams;
 };
 
 } // namespace limpid

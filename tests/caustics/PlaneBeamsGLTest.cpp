@@ -56,6 +56,14 @@ Scene reef() {
     return scene;
 }
 
+/// Light that runs along flanks sweeps over whole maps of theirs, plane after plane.
+Scene flanks() {
+    Scene scene = waves({scenes::model("fish", -1)}, 20);
+    scene.caustics.mapSize = 256;
+    scene.water.grid = {48, 48};
+    return scene;
+}
+
 Scene largeBeams() {
     Scene scene = waves({scenes::model("teapot", -1.3), scenes::floorAt(-1.4)}, 20);
     scene.water.center = glm::dvec2(0);
@@ -208,7 +216,8 @@ TEST_P(PlaneBeamsGLTest, differsFromTheDrawnFormAtEdgesOnly) {
 INSTANTIATE_TEST_SUITE_P(scenes, PlaneBeamsGLTest,
                          ::testing::Values(PlaneCase{"teapot", teapot}, PlaneCase{"shadedFloor", shadedFloor},
                                            PlaneCase{"subBoxes", subBoxes}, PlaneCase{"lamp", lamp},
-                                           PlaneCase{"reef", reef}, PlaneCase{"largeBeams", largeBeams}),
+                                           PlaneCase{"reef", reef}, PlaneCase{"flanks", flanks},
+                                           PlaneCase{"largeBeams", largeBeams}),
                          [](const auto& scene) { return std::string(scene.param.name); });
 
 } // namespace
