@@ -56,12 +56,18 @@ void bringToOneMetre(Receiver& receiver) {
     receiver.translation = -scale * glm::dvec3(bounds.center().x, bounds.min.y, bounds.center().z);
 }
 
+/// What a table has room for.
+std::string nameOfAll(const Scene& scene) {
+    const std::size_t count = scene.receivers.size();
+    return count > 3 ? fmt::format("{} receivers", count) : receiverNames(scene);
+}
+
 std::vector<Subject> loadSubjects(const io::Profile& profile) {
     std::vector<Subject> subjects;
     for (const std::filesystem::path& file : profile.scenes) {
         if (profile.receivers.empty()) {
             Scene scene = io::loadScene(file, profile.settings);
-            subjects.push_back({sceneName(file), receiverNames(scene), std::move(scene)});
+            subjects.push_back({sceneName(file), nameOfAll(scene), std::move(scene)});
         }
         for (const io::ProfileReceiver& receiver : profile.receivers) {
             std::vector<io::Override> overrides{{"receiver", receiver.toml}};

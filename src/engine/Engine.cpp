@@ -65,6 +65,11 @@ void Engine::setScene(Scene scene) {
         maps.gradients = depthGradients(_scene.receivers[std::size_t(maps.receiver)], maps.box, *maps.facings,
                                         planned.facing, _scene.water.level);
         maps.level.facing = planned.facing;
+        Bounds wet;
+        for (const glm::dvec3& p : _submerged[std::size_t(maps.receiver)])
+            wet.add(p);
+        maps.wet = wet;
+        maps.inReach = mayReach(_scene.water, _scene.lights[std::size_t(maps.light)], wet, _patch);
     }
 }
 
@@ -119,6 +124,8 @@ void Engine::freeMaps() {
         empty.light = maps.light;
         empty.facings = std::move(maps.facings);
         empty.box = maps.box;
+        empty.wet = maps.wet;
+        empty.inReach = maps.inReach;
         empty.gradients = maps.gradients;
         empty.level.facing = maps.level.facing;
         maps = std::move(empty);
@@ -305,7 +312,7 @@ void Engine::drawLevelMap(ReceiverMaps& maps) {
 }
 
 void Engine::updateTangentPlanes(ReceiverMaps& maps) {
-    if (_skipping && isDark(maps.light)) {
+    if (_skipping && isUnlit(maps)) {
         ++_skipped.unreadPasses;
         return;
     }
@@ -316,7 +323,7 @@ void Engine::updateTangentPlanes(ReceiverMaps& maps) {
 
 void Engine::updatePlaneDepths(ReceiverMaps& maps) {
     if (_scene.caustics.fill == Fill::Drawn) return;
-    if (_skipping && isDark(maps.light)) {
+    if (_skipping && isUnlit(maps)) {
         ++_skipped.unreadPasses;
         return;
     }

@@ -55,6 +55,8 @@ struct ReceiverMaps {
     std::shared_ptr<const Facings> facings; ///< of this receiver and light
     OrientedBox box;                        ///< in the world
     DepthGradients gradients;
+    Bounds wet;          ///< of the receiver's part below the level, in the world
+    bool inReach = true; ///< whether any of the water's light may come to it
     LevelMap level;
     TangentPlanes tangents; ///< for exact beams only
     PlaneDepths depths;     ///< for level maps in one pass only
@@ -136,6 +138,7 @@ class Engine {
     void updateMaps(ReceiverMaps& maps);
     void updateReceiver(ReceiverMaps& maps);
     bool isDark(int light) const;
+    bool isUnlit(const ReceiverMaps& maps) const;
     bool cullsBeams() const;
     const BeamCulling* cullBeams(ReceiverMaps& maps, const BeamTiles& tiles);
     void countSkipped(const ReceiverMaps& maps);

@@ -24,7 +24,7 @@ void Engine::fill(ReceiverMaps& maps) {
     const LightState& state = _lights[std::size_t(maps.light)];
     const Light& light = _scene.lights[std::size_t(maps.light)];
     Scope scope(_timers, "caustic map");
-    if (_skipping && isDark(maps.light) && _scene.caustics.method != Method::Volumetric) {
+    if (_skipping && isUnlit(maps) && _scene.caustics.method != Method::Volumetric) {
         maps.caustics.clear(_context, maps.level.frame.size);
         ++_skipped.unlitMaps;
         return;
@@ -62,11 +62,9 @@ void Engine::fill(ReceiverMaps& maps) {
 
 void Engine::splatPhotons(ReceiverMaps& maps) {
     if (!_photonSplat) _photonSplat = std::make_unique<PhotonSplat>(_context);
-    Bounds wet;
-    for (const glm::dvec3& p : _submerged[std::size_t(maps.receiver)])
-        wet.add(p);
-    _photonSplat->fill(maps.caustics, {maps.level, _lights[std::size_t(maps.light)].beams, _surface.mesh(),
-                                       _patch, _origin, _scene, _scene.lights[std::size_t(maps.light)], wet});
+    _photonSplat->fill(maps.caustics,
+                       {maps.level, _lights[std::size_t(maps.light)].beams, _surface.mesh(), _patch, _origin,
+                        _scene, _scene.lights[std::size_t(maps.light)], maps.wet});
 }
 
 } // namespace limpid

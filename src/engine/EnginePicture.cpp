@@ -25,7 +25,7 @@ std::vector<bool> Engine::shownMaps(glm::ivec2 size) {
     std::vector<bool> shown;
     for (const ReceiverMaps& maps : _maps)
         shown.push_back(!_skipping ||
-                        (!isDark(maps.light) && mayShowCaustics(frame, _bounds[std::size_t(maps.receiver)])));
+                        (!isUnlit(maps) && mayShowCaustics(frame, _bounds[std::size_t(maps.receiver)])));
     return shown;
 }
 
@@ -61,7 +61,7 @@ Picture Engine::render(double time, glm::ivec2 size) {
         if (shown[i])
             updateMaps(_maps[i]);
         else
-            ++(isDark(_maps[i].light) ? _skipped.unlitMaps : _skipped.outOfView);
+            ++(isUnlit(_maps[i]) ? _skipped.unlitMaps : _skipped.outOfView);
     }
     return draw(size);
 }

@@ -8,6 +8,11 @@ bool Engine::isDark(int light) const {
     return _lights[std::size_t(light)].beams.strength == glm::dvec3(0);
 }
 
+/// Whether no light comes to a map.
+bool Engine::isUnlit(const ReceiverMaps& maps) const {
+    return isDark(maps.light) || !maps.inReach;
+}
+
 bool Engine::cullsBeams() const {
     return _skipping && sumsBeams(_scene.caustics);
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <utility>
 
 #include "core/Optics.h"
 #include "water/SunDisc.h"
@@ -146,15 +148,38 @@ WaterPatch coveringPatch(const Scene& scene) {
     return patch;
 }
 
-WaterPatch lightingPatch(const Water& water, const Light& light, const Bounds& wet, const WaterPatch& patch) {
+namespace {
+
+/// x and z of the corners of where light on its way to a box below the level starts; nothing if none does.
+std::optional<std::pair<glm::dvec2, glm::dvec2>> startsOf(const Water& water, const Light& light,
+                                                          const Bounds& wet) {
     Bounds starts;
     if (!wet.empty()) addStarts(starts, light, water, wet, possibleNormals(steepestSlope(water)));
-    if (starts.empty()) return patch;
+    if (starts.empty()) return std::nullopt;
     const double lift = 2 * highestWave(water);
-    const glm::dvec2 low = glm::max(glm::dvec2(starts.min.x, starts.min.z) - lift, patch.min());
-    const glm::dvec2 high = glm::min(glm::dvec2(starts.max.x, starts.max.z) + lift, patch.min() + patch.size);
+    return std::pair(glm::dvec2(starts.min.x, starts.min.z) - lift,
+                     glm::dvec2(starts.max.x, starts.max.z) + lift);
+}
+
+} // namespace
+
+WaterPatch lightingPatch(const Water& water, const Light& light, const Bounds& wet, const WaterPatch& patch) {
+    const auto starts = startsOf(water, light, wet);
+    if (!starts) return patch;
+    const glm::dvec2 low = glm::max(starts->first, patch.min());
+    const glm::dvec2 high = glm::min(starts->second, patch.min() + patch.size);
     if (high.x <= low.x || high.y <= low.y) return patch;
     return {0.5 * (low + high), high - low, patch.grid};
+}
+
+bool mayReach(const Water& water, const Light& light, const Bounds& wet, const WaterPatch& patch) {
+    const auto starts = startsOf(water, light, wet);
+    if (!starts) return false;
+    // Rays that are flatter than startsOf looks at come from further away.
+    const glm::dvec2 margin = starts->second - starts->first;
+    const glm::dvec2 low = starts->first - margin, high = starts->second + margin;
+    return glm::all(glm::lessThan(low, patch.min() + patch.size)) &&
+           glm::all(glm::greaterThan(high, patch.min()));
 }
 
 } // namespace limpid

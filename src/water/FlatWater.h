@@ -39,6 +39,9 @@ struct WaterPatch {
 /// world.
 WaterPatch coveringPatch(const Scene& scene);
 
+/// False where no light that goes through `patch` can come to a box below the level (in the world).
+bool mayReach(const Water& water, const Light& light, const Bounds& wet, const WaterPatch& patch);
+
 /// The part of `patch` from which one light may reach a box below the level (in the world): all of it where
 /// the light reaches none.
 WaterPatch lightingPatch(const Water& water, const Light& light, const Bounds& wet, const WaterPatch& patch);

@@ -170,6 +170,21 @@ TEST_F(SkippingGLTest, passesOverAllBeamsWhereNoneArrive) {
     EXPECT_GE(engine.skipped().beams, 2 * 32 * 32);
 }
 
+TEST_F(SkippingGLTest, aReceiverOutOfReachGetsNoPassAndTheSameBits) {
+    Scene scene = balls();
+    scene.water.center = glm::dvec2(0);
+    scene.water.size = glm::dvec2(3);
+    scene.receivers[2].translation.x = 9;
+    for (const Method method : {Method::ExactBeam, Method::LevelMap, Method::PhotonSplat}) {
+        scene.caustics.method = method;
+        Engine all(context()), lean(context());
+        all.setSkipping(false);
+        const Baked expected = bake(all, scene), found = bake(lean, scene);
+        expectSameMaps(expected, found, std::string(methodName(method)));
+        EXPECT_EQ(lean.skipped().unlitMaps, 1) << methodName(method);
+    }
+}
+
 TEST_F(SkippingGLTest, drawsTheSamePictures) {
     Scene scene = balls();
     // From above, from close by, from below the water, from the side into the waves, straight down.
