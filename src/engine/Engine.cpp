@@ -162,6 +162,7 @@ void Engine::updateSurface(double time) {
     {
         Scope scope(_timers, "water");
         _surface.update(_scene.water, _patch, _origin, time);
+        _waterTime = time;
     }
     for (int light = 0; light < int(_lights.size()) && !(_reuse && _lightsReady); ++light)
         updateLight(light);
@@ -291,9 +292,12 @@ const SceneDepth* Engine::sceneDepthOf(const ReceiverMaps& maps) const {
 }
 
 void Engine::prepareMaps(ReceiverMaps& maps) {
+    const int size = mapSize(_scene, _patch, maps.box, maps.level.facing);
+    const int planes = _scene.caustics.planes;
     prepareLevelMap(_context, maps.level,
                     {maps.box, *maps.facings, maps.gradients,
-                     mapSize(_scene, _patch, maps.box, maps.level.facing), _scene.caustics.planes, _origin});
+                     std::max(size >> maps.halvings, std::min(size, 16)),
+                     std::max(planes >> maps.halvings, std::min(planes, 3)), _origin});
 }
 
 LitReceiver Engine::litReceiver(const ReceiverMaps& maps) const {

@@ -57,6 +57,7 @@ struct ReceiverMaps {
     DepthGradients gradients;
     Bounds wet;          ///< of the receiver's part below the level, in the world
     bool inReach = true; ///< whether any of the water's light may come to it
+    int halvings = 0;    ///< of its size and planes, where a picture shows it small
     LevelMap level;
     TangentPlanes tangents; ///< for exact beams only
     PlaneDepths depths;     ///< for level maps in one pass only
@@ -117,7 +118,8 @@ class Engine {
     /// one call to the next. A picture has 2 · 2 samples a pixel; fewer are faster.
     PicturePass::Sketch beginPicture(glm::ivec2 size, int perPixel);
     void drawRows(const PicturePass::Sketch& sketch, glm::ivec2 rows);
-    /// updateCaustics for those maps that the picture can show, then draw.
+    /// updateCaustics for those maps that the picture can show, then draw. Here alone caustics may be of an
+    /// earlier time than the water (CausticsSettings::refresh).
     Picture render(double time, glm::ivec2 size);
 
     /// Off: all work is done that skipping would save (engine/Skipped.h). The result is the same.
@@ -143,6 +145,8 @@ class Engine {
     const BeamCulling* cullBeams(ReceiverMaps& maps, const BeamTiles& tiles);
     void countSkipped(const ReceiverMaps& maps);
     std::vector<bool> shownMaps(glm::ivec2 size);
+    void fitMaps(glm::ivec2 size);
+    double causticsTime(double time) const;
     void prepareMaps(ReceiverMaps& maps);
     LitReceiver litReceiver(const ReceiverMaps& maps) const;
     void drawLevelMap(ReceiverMaps& maps);
@@ -186,6 +190,7 @@ class Engine {
     bool _skipping = true, _reuse = true;
     bool _lightsReady = false;
     Skipped _skipped;
+    double _waterTime = 0;         ///< of the surface, s
     bool _pictureHasLight = false; ///< the picture pass has seen the caustics as they are
     std::optional<double> _causticsTime;
     Scene _scene;

@@ -1,6 +1,12 @@
+#include <algorithm>
+#include <cmath>
+
 #include "engine/Engine.h"
+#include "levelmap/MapPlan.h"
 #include "view/Visibility.h"
 #include "water/FlatWater.h"
+#include "water/WaterSurface.h"
+#include "water/WaveTerms.h"
 
 /// The half of the engine that makes pictures.
 namespace limpid {
@@ -54,8 +60,35 @@ const gl::Texture* Engine::drawGodrays(glm::ivec2 size) {
     return &_photonLines->draw({_scene, _surface.mesh(), _patch, _origin, _receivers, sources, camera});
 }
 
+/// How often a map may be halved and still have the texels that a picture asks for where it shows most of
+/// them.
+void Engine::fitMaps(glm::ivec2 size) {
+    const double perPixel = _scene.caustics.texelsPerPixel;
+    if (perPixel <= 0) return;
+    const double pixelsPerTangent = size.y / (2 * std::tan(0.5 * glm::radians(_scene.camera.verticalFov)));
+    for (ReceiverMaps& maps : _maps) {
+        const Bounds& bounds = _bounds[std::size_t(maps.receiver)];
+        const double radius = 0.5 * glm::length(bounds.size());
+        const double away = glm::distance(*_scene.camera.position - _origin, bounds.center()) - radius;
+        // Water between brings things nearer by its index, at most.
+        const double pixels = away > 0 ? pixelsPerTangent * 2 * radius / away * _scene.water.ior : 1e9;
+        const double spare = mapSize(_scene, _patch, maps.box, maps.level.facing) / (perPixel * pixels);
+        const int halvings = std::clamp(int(std::floor(std::log2(std::max(spare, 1e-9)))), 0, 16);
+        if (halvings == maps.halvings) continue;
+        maps.halvings = halvings;
+        maps.ready = maps.filled = false;
+    }
+}
+
+/// The time that the caustics of a picture at `time` are of.
+double Engine::causticsTime(double time) const {
+    const double refresh = _scene.caustics.refresh;
+    return refresh > 0 ? std::floor(time * refresh + 1e-9) / refresh : time;
+}
+
 Picture Engine::render(double time, glm::ivec2 size) {
-    updateSurface(time);
+    updateSurface(causticsTime(time));
+    fitMaps(size);
     const std::vector<bool> shown = shownMaps(size);
     for (std::size_t i = 0; i < _maps.size(); ++i) {
         if (shown[i])
@@ -63,12 +96,18 @@ Picture Engine::render(double time, glm::ivec2 size) {
         else
             ++(isUnlit(_maps[i]) ? _skipped.unlitMaps : _skipped.outOfView);
     }
+    if (moves(_scene.water) && time != _waterTime) {
+        Scope scope(_timers, "water");
+        _surface.update(_scene.water, _patch, _origin, time);
+        _waterTime = time;
+    }
     return draw(size);
 }
 
 /// Calls `use` with the picture pass and its inputs for a picture of `size`.
 template <typename Use>
 auto Engine::withPicture(glm::ivec2 size, Use&& use) {
+    fitMaps(size);
     const std::vector<bool> shown = shownMaps(size);
     std::vector<Lit> lit;
     for (std::size_t i = 0; i < _maps.size(); ++i) {

@@ -298,6 +298,8 @@ CausticsSettings parseCaustics(TomlTable table) {
     caustics.method =
         *methodFromName(methods[table.choice("method", methods, " (the methods there are so far)")]);
     parseWhole(table, "map_size", caustics.mapSize, 1, 16384);
+    table.number("texels_per_pixel", caustics.texelsPerPixel, {.min = 0, .max = 64, .text = " from 0 to 64"});
+    table.number("refresh", caustics.refresh, {.min = 0, .max = 1000, .text = " from 0 to 1000"});
     parseWhole(table, "planes", caustics.planes, 1, 4096);
     std::vector<std::string_view> fills{fillName(caustics.fill)};
     for (const Fill fill : allFills())

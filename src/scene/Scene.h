@@ -125,6 +125,9 @@ struct CausticsSettings {
     Slicing slicing = Slicing::Automatic;
     int depthLevels = 64;    ///< Slicing::Levels: intervals of the depth histogram, [1, 4096]
     double threshold = 0.01; ///< Slicing::Levels: acceptance threshold ε, of the box's height, (0, 1]
+    // What a picture may save although it shows; 0: nothing. A bake is always whole.
+    double texelsPerPixel = 0; ///< maps of receivers that are small on screen have about so many, [0, 64]
+    double refresh = 0;        ///< caustics a second of the scene's time, at most, [0, 1000]
     // What follows is of photon splats, with the paper's settings.
     glm::ivec2 photonGrid{200, 200}; ///< cells over the water that lights a receiver, [1, 8192]
     int photonSubdivision = 2;       ///< photons along a side of a cell, [1, 16]

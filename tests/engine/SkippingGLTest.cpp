@@ -227,5 +227,72 @@ TEST_F(SkippingGLTest, aPictureLeavesNothingOutOfALaterBake) {
     EXPECT_EQ(engine.skipped().causticMaps + engine.skipped().outOfView, 9) << "all rest or are not seen";
 }
 
+double meanOf(const Picture& picture) {
+    double sum = 0;
+    for (const float value : picture.rgb)
+        sum += value;
+    return sum / double(picture.rgb.size());
+}
+
+double differenceOf(const Picture& a, const Picture& b) {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.rgb.size(); ++i)
+        sum += std::abs(double(a.rgb[i]) - double(b.rgb[i]));
+    return sum / double(a.rgb.size()) / meanOf(b);
+}
+
+TEST_F(SkippingGLTest, whatIsSmallOnScreenHasSmallMapsIfAsked) {
+    Scene scene = balls();
+    scene.caustics.mapSize = 256;
+    Engine engine(context());
+    engine.setScene(scene);
+    const Picture whole = engine.render(0.2, {96, 64});
+    const std::int64_t bytes = context().ledger().total();
+    scene.caustics.texelsPerPixel = 2;
+    engine.setScene(scene);
+    const Picture lean = engine.render(0.2, {96, 64});
+    for (const ReceiverMaps& maps : engine.maps()) {
+        if (!maps.ready) continue;
+        const int side = std::max(maps.level.frame.size.x, maps.level.frame.size.y);
+        EXPECT_LT(side, 256);
+        // The whole picture is 96 pixels wide, and no ball is seen from so near that it fills it.
+        EXPECT_GE(side, 16);
+        EXPECT_LE(side, 2 * 2 * 96);
+    }
+    EXPECT_LT(context().ledger().total(), bytes / 2);
+    const double difference = differenceOf(lean, whole);
+    printf("two texels a pixel: the picture is another by %.3f %%\n", 100 * difference);
+    EXPECT_LT(difference, 0.01) << "less than one 8-bit step of a bright picture, on average";
+    EXPECT_GT(difference, 0);
+    // A bake is whole, also after such a picture.
+    scene.caustics.texelsPerPixel = 0;
+    const Baked expected = bake(scene);
+    engine.setScene(scene);
+    engine.updateCaustics(0);
+    expectSameMaps(expected, bake(engine, scene), "after a picture");
+}
+
+TEST_F(SkippingGLTest, causticsAreMadeAsOftenAsAskedAndWaterMovesOn) {
+    Scene scene = balls();
+    scene.caustics.refresh = 10;
+    Engine engine(context()), atTick(context());
+    engine.setScene(scene);
+    engine.render(0.21, {48, 32});
+    const Picture later = engine.render(0.27, {48, 32});
+    EXPECT_GT(engine.skipped().causticMaps, 0) << "the tenth of a second has not passed";
+    atTick.setScene(scene);
+    const Picture tick = atTick.render(0.2, {48, 32});
+    for (std::size_t i = 0; i < engine.maps().size(); ++i) {
+        if (!engine.maps()[i].filled) continue;
+        EXPECT_EQ(readMaps(engine.maps()[i], engine.origin()).irradiance,
+                  readMaps(atTick.maps()[i], atTick.origin()).irradiance);
+    }
+    EXPECT_GT(differenceOf(later, tick), 0) << "the surface moves";
+    // Whatever came before it, a picture is the same.
+    Engine fresh(context());
+    fresh.setScene(scene);
+    EXPECT_EQ(fresh.render(0.27, {48, 32}).rgb, later.rgb);
+}
+
 } // namespace
 } // namespace limpid
