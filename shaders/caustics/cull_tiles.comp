@@ -3,22 +3,15 @@
 // In: bounds of the tiles; depths of the map's planes (levelmap/PlaneDepths.h), or with LEANING depths as exact beams
 // count them (levelmap/TangentPlanes.h). Out: list of the tiles, as work groups of an indirect
 // dispatch; beams in them; marks of the tiles that are reached.
+#include "include/beam_limits.glsl"
 #include "include/beam_tiles.glsl"
 #include "include/box.glsl"
+#include "include/kept_tiles.glsl"
 layout(local_size_x = 64) in;
 layout(binding = 0) uniform sampler2D depthPyramid; // RGBA32F, m: x, y of its last level: least and greatest depth of all
 layout(std430, binding = 0) readonly buffer Tiles { RayBounds bounds[]; };
 layout(std430, binding = 1) writeonly buffer Reached { uint reached[]; };
-layout(std430, binding = 2) buffer Kept {
-    uint groups[3]; // rows of 65,535 and how many rows
-    uint tileCount;
-    uint beamCount;
-    uint kept[];
-};
 layout(location = 0) uniform ivec2 quads;
-#ifdef LEANING
-const float grazing = 0.02; // as in beam_quads.glsl
-#endif
 
 // Numbers that are known to lie between two. All is in m, along the box's axes.
 vec2 alongAxis(vec3 axis, vec3 low, vec3 high) {
@@ -97,11 +90,11 @@ void main() {
     if (tile >= tiles.x * tiles.y) return;
     vec2 depths = texelFetch(depthPyramid, ivec2(0), textureQueryLevels(depthPyramid) - 1).xy;
     if (!mayReach(bounds[tile], depths)) return;
-    uint number = atomicAdd(tileCount, 1u);
+    uint number = atomicAdd(keptTiles, 1u);
     kept[number] = uint(tile);
-    atomicMax(groups[0], min(number + 1u, 65535u));
-    atomicMax(groups[1], number / 65535u + 1u);
+    atomicMax(keptGroups[0], min(number + 1u, 65535u));
+    atomicMax(keptGroups[1], number / 65535u + 1u);
     ivec2 size = min(quads - firstQuad(tile, quads), ivec2(tileQuads));
-    atomicAdd(beamCount, uint(2 * size.x * size.y));
+    atomicAdd(keptBeams, uint(2 * size.x * size.y));
     reached[tile] = 1u;
 }

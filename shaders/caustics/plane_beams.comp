@@ -4,6 +4,7 @@
 // texels (levelmap/PlaneDepths.h), normal map; with PATHS, for what happens to light on its way, position map and
 // surface shadow. Out: flux sums, one channel or three (COLOURED), of irradiance times the area of a texel, as if the
 // whole mean light reached it. LARGE: the tiles of quads that touch many texels, which the pass over all quads left.
+#include "include/beam_limits.glsl"
 #include "include/depth_pyramid.glsl"
 #include "include/footprint.glsl"
 #include "include/beam_deposit.glsl"
@@ -19,7 +20,6 @@
 layout(binding = 2) uniform sampler2D positionMap; // RG32F
 #endif
 layout(local_size_x = 64) in;
-const int mostTexels = 256; // that one invocation walks
 const int settled = -1;     // of a tile: the quad was walked as one slab
 const vec2 everyDepth = vec2(-1e30, 1e30);
 layout(binding = 0) uniform sampler2D planeDepths; // RGBA32F, m

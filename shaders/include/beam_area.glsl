@@ -1,4 +1,5 @@
 // How much of a texel a beam covers, in texels.
+#include "include/cross.glsl"
 
 // An edge of a polygon, made ready to be asked about many rectangles. Its axes are turned so that `t` is the one along
 // which it runs further: no quotient is then large that is not multiplied by as small a number.
@@ -41,4 +42,3 @@ float edgeInRectangle(BeamEdge edge, vec2 low, vec2 high) {
 }
 
 // Twice the signed area of a triangle with a corner at the origin.
-float cross2(vec2 a, vec2 b) { return a.x * b.y - a.y * b.x; }

@@ -1,5 +1,6 @@
 // The quads of the water's grid as one receiver's map sees them, and which of its texels they may touch.
 #include "include/box.glsl"
+#include "include/beam_limits.glsl"
 #include "include/depth_pyramid.glsl"
 layout(binding = 2) uniform sampler2D depthPyramid; // RGBA32F (tangent_planes.comp)
 layout(std430, binding = 5) readonly buffer BeamFlux { float flux[]; };
@@ -29,9 +30,6 @@ bool loadQuad(int index, out Quad quad) {
 }
 
 const float thinnest = 1.0 / 256.0; // texels
-
-// Light that makes less than this of -n·t, by the part that does not depend on how steep the face is, runs along it.
-const float grazing = 0.02;
 
 // Where a corner's ray is at depth 0 and how it moves, with depths counted from a plane that leans as the receiver does:
 // of a flat receiver all are alike. False where the ray does not come through that plane from the front.
@@ -88,9 +86,6 @@ bool settle(vec4 a, vec4 b, vec4 c, vec4 d, out Slab slab, out vec2 depths) {
     }
     return true;
 }
-
-// A quad that touches more texels is not for one invocation.
-const int mostTexels = 256;
 
 int texelsOf(Slab slab) {
     ivec2 span = slab.high - slab.low + 1;

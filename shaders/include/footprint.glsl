@@ -1,5 +1,6 @@
 // A ray of a beam seen from a receiver's box: it meets depth z at `at + z · slope`, in texels of the receiver's maps.
 #include "include/box.glsl"
+#include "include/cross.glsl"
 
 // (at, slope) in texels and texels per metre of a ray, both in the box's axes, m.
 vec4 rayFootprint(vec3 origin, vec3 direction) {
@@ -12,8 +13,6 @@ vec4 rayFootprint(vec3 origin, vec3 direction) {
 
 // Whether all three rays of a beam meet the box's planes.
 bool meetsPlanes(vec4 a, vec4 b, vec4 c) { return max(abs(a.z), max(abs(b.z), abs(c.z))) * boxExtent.w < 1e5; }
-
-float cross2(vec2 a, vec2 b) { return a.x * b.y - a.y * b.x; }
 
 // Cross-section of a beam perpendicular to the box's axis: twice its signed area at depth z is c0 + c1 z + c2 z², in
 // texels.

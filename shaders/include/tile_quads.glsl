@@ -1,13 +1,8 @@
 // The quad of an invocation in a pass with one work group a tile of quads: over all tiles of the grid, or over those that
 // cull_tiles.comp has kept.
 #include "include/beam_tiles.glsl"
+#include "include/kept_tiles.glsl"
 layout(location = 12) uniform int culled; // 0: all tiles
-layout(std430, binding = 2) readonly buffer Kept {
-    uint keptGroups[3];
-    uint keptTiles;
-    uint keptBeams;
-    uint kept[];
-};
 
 // The tile of this work group, -1 for none.
 int workTile() {

@@ -1,10 +1,16 @@
 #pragma once
+#include <algorithm>
 #include <atomic>
 #include <functional>
 #include <thread>
 #include <vector>
 
 namespace limpid::reference {
+
+/// What a number of threads asked for stands for: all of the machine's for 0.
+inline int threadsOf(int asked) {
+    return asked > 0 ? asked : std::max(int(std::thread::hardware_concurrency()), 1);
+}
 
 /// Calls `work(thread, i)` for every i in [0, count), on `threads` threads, one of them the caller's.
 /// `between` is called by the caller's after each piece of its own, with the number of pieces begun.

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
-#include <thread>
 #include <utility>
 
 #include "reference/CellTracer.h"
@@ -63,8 +62,7 @@ class Tracer {
           _geometry(job.scene, job.origin), _level(_water.level - job.origin.y),
           _patchMin(job.patchMin - glm::dvec2(job.origin.x, job.origin.z)),
           _shade(_geometry, _surface, _level, _patchMin, _patchMin + job.patchSize),
-          _threads(options.threads > 0 ? options.threads
-                                       : std::max(int(std::thread::hardware_concurrency()), 1)) {}
+          _threads(threadsOf(options.threads)) {}
 
     TraceResult run() {
         TraceResult result;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <thread>
 
 #include "reference/Parallel.h"
 #include "reference/Random.h"
@@ -145,8 +144,7 @@ ScatterImage Scatterer::run() {
     if (most <= 0 || _water.scattering == glm::dvec3(0)) return image;
     // A thousandfold of the light in a pixel still leaves twelve bits to a word's end.
     _steps = 0x1p41 / most;
-    const int threads =
-        _job.threads > 0 ? _job.threads : std::max(int(std::thread::hardware_concurrency()), 1);
+    const int threads = threadsOf(_job.threads);
     std::vector<glm::dvec3> squares(pixels);
     for (int batch = 0; batch < batches; ++batch) {
         std::vector<Sums> sums(std::size_t(threads), Sums(3 * pixels, 0));

@@ -1,0 +1,7 @@
+// Where passes over beams turn to another way.
+
+// Light that makes less than this of -n·t, by the part that does not depend on how steep the face is, runs along it.
+const float grazing = 0.02;
+
+// A quad that touches more texels is not for one invocation.
+const int mostTexels = 256;

@@ -1,0 +1,2 @@
+// Twice the signed area of the triangle that two vectors span.
+float cross2(vec2 a, vec2 b) { return a.x * b.y - a.y * b.x; }
