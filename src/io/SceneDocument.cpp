@@ -1,5 +1,6 @@
 #include "io/SceneDocument.h"
 
+#include <algorithm>
 #include <sstream>
 
 #include <fmt/format.h>
@@ -13,6 +14,7 @@
 #include "io/SceneSettings.h"
 #include "io/TomlPatch.h"
 #include "io/TomlReader.h"
+#include "io/WaterPresets.h"
 
 namespace fs = std::filesystem;
 
@@ -55,7 +57,7 @@ std::string asToml(const T& value) {
 bool sameKinds(const std::vector<Wave>& a, const std::vector<Wave>& b) {
     return a.size() == b.size() &&
            std::equal(a.begin(), a.end(), b.begin(), [](const Wave& x, const Wave& y) {
-               return x.type == y.type && x.heights == y.heights && x.spectrum == y.spectrum;
+               return x.type == y.type && x.heights == y.heights;
            });
 }
 
@@ -63,12 +65,11 @@ const toml::array* wavesOf(const toml::table& root) {
     return root["water"]["wave"].as_array();
 }
 
-/// The entry of a height map or a sea, of which just the amplitude can have changed.
-std::string textureText(const toml::table& root, const Scene& before, const Wave& wave) {
+/// The entry of a height map, of which just the amplitude can have changed.
+std::string heightMapText(const toml::table& root, const Scene& before, const Wave& wave) {
     const toml::array* entries = wavesOf(root);
     for (std::size_t i = 0; entries && i < before.water.waves.size(); ++i) {
-        const Wave& known = before.water.waves[i];
-        if (known.heights != wave.heights || known.spectrum != wave.spectrum) continue;
+        if (before.water.waves[i].heights != wave.heights) continue;
         toml::table entry = *entries->get(i)->as_table();
         entry.insert_or_assign("amplitude", wave.amplitude);
         return asToml(entry) + "\n";
@@ -80,8 +81,8 @@ std::string wavesText(const toml::table& root, const Scene& before, const Scene&
     std::string text;
     for (const Wave& wave : changed.water.waves) {
         text += "[[water.wave]]\n";
-        if (isTexture(wave.type)) {
-            text += textureText(root, before, wave);
+        if (wave.type == WaveType::HeightMap) {
+            text += heightMapText(root, before, wave);
         } else {
             for (const Setting& setting : settingsOf(wave, 0))
                 text += fmt::format("{} = {}\n", setting.key, setting.value);
@@ -91,16 +92,22 @@ std::string wavesText(const toml::table& root, const Scene& before, const Scene&
     return text;
 }
 
-/// What of `settings` is not in `known` with the same value.
-std::vector<Setting> difference(const std::vector<Setting>& settings, const std::vector<Setting>& known) {
+bool sameKey(const Setting& a, const Setting& b) {
+    return a.section == b.section && a.entry == b.entry && a.key == b.key;
+}
+
+/// What makes `before` into `after`.
+std::vector<Setting> difference(const std::vector<Setting>& after, const std::vector<Setting>& before) {
     std::vector<Setting> result;
-    for (const Setting& setting : settings) {
-        const bool same = std::any_of(known.begin(), known.end(), [&](const Setting& k) {
-            return k.section == setting.section && k.entry == setting.entry && k.key == setting.key &&
-                   k.value == setting.value;
-        });
-        if (!same) result.push_back(setting);
-    }
+    const auto known = [](const std::vector<Setting>& all, const Setting& one) {
+        return std::find_if(all.begin(), all.end(), [&](const Setting& each) { return sameKey(each, one); });
+    };
+    for (const Setting& setting : after)
+        if (const auto old = known(before, setting); old == before.end() || old->value != setting.value)
+            result.push_back(setting);
+    for (const Setting& setting : before)
+        if (known(after, setting) == after.end())
+            result.push_back({setting.section, setting.entry, setting.key, ""});
     return result;
 }
 
@@ -125,8 +132,13 @@ void insert(toml::table& root, const Setting& setting) {
     if (!node && setting.entry < 0)
         node = &root.insert_or_assign(setting.section, toml::table{}).first->second;
     if (node && setting.entry >= 0) node = node->as_array()->get(std::size_t(setting.entry));
+    if (!node) return;
+    if (setting.value.empty()) {
+        node->as_table()->erase(setting.key);
+        return;
+    }
     toml::table value = parseToml(fmt::format("value = {}", setting.value), setting.key);
-    if (node) node->as_table()->insert_or_assign(setting.key, std::move(value.begin()->second));
+    node->as_table()->insert_or_assign(setting.key, std::move(value.begin()->second));
 }
 
 /// Whether both say the same; a turn may differ by its rounding.
@@ -138,8 +150,79 @@ bool agree(const Scene& a, const Scene& b) {
         const glm::dquat other = b.receivers[i].rotation;
         if (std::abs(glm::dot(turn, other) - 1) < 1e-12) turn = other;
     }
-    const auto one = settingsOf(rounded), two = settingsOf(b);
-    return one.size() == two.size() && difference(one, two).empty();
+    return difference(settingsOf(rounded), settingsOf(b)).empty();
+}
+
+/// What a document's scene has to become another.
+struct Changes {
+    std::vector<Setting> settings;
+    /// In place of all waves there are; none: they stay, but for the settings. A preset's are none.
+    std::optional<std::string> waves;
+    std::optional<fs::path> movedFrom; ///< the folder that files are named relative to
+};
+
+/// The preset that makes the water's waves as they are.
+std::optional<std::size_t> presetOf(const Water& water) {
+    for (std::size_t i = 0; i < std::size(waterPresets); ++i)
+        if (water.waves == presetWaves(i, water.center.value_or(glm::dvec2(0)))) return i;
+    return std::nullopt;
+}
+
+/// Each amplitude by itself, in place of `wave_scale`.
+void unscaleWaves(std::vector<Setting>& settings, const Water& water) {
+    std::erase_if(settings,
+                  [](const Setting& s) { return s.section == "water.wave" && s.key == "amplitude"; });
+    for (std::size_t i = 0; i < water.waves.size(); ++i)
+        for (const Setting& setting : settingsOf(water.waves[i], int(i)))
+            if (setting.key == "amplitude") settings.push_back(setting);
+    settings.push_back({"water", -1, "wave_scale", ""});
+}
+
+Changes changesOf(const toml::table& root, const Scene& before, const Scene& changed) {
+    Changes changes{difference(settingsOf(changed), settingsOf(before)), std::nullopt, std::nullopt};
+    const Water &old = before.water, &water = changed.water;
+    const bool otherWaves = old.waves != water.waves;
+    // A preset's waves may follow the water's center.
+    const bool unlisted = !wavesOf(root) && (otherWaves || old.center != water.center);
+    if ((otherWaves || unlisted) && root["water"]["wave_scale"]) unscaleWaves(changes.settings, water);
+    if (sameKinds(old.waves, water.waves) && !unlisted) return changes;
+    std::erase_if(changes.settings, [](const Setting& s) { return s.section == "water.wave"; });
+    const auto preset = presetOf(water);
+    changes.waves = preset ? "" : wavesText(root, before, changed);
+    if (preset)
+        changes.settings.push_back({"water", -1, "preset", fmt::format("\"{}\"", waterPresets[*preset])});
+    return changes;
+}
+
+/// What is to be set in `root`, which has its waves already.
+std::vector<Setting> settingsFor(const toml::table& root, const Changes& changes) {
+    std::vector<Setting> settings = changes.settings;
+    if (changes.movedFrom)
+        for (Setting& path : wholePaths(root, *changes.movedFrom))
+            settings.push_back(std::move(path));
+    return settings;
+}
+
+/// The text with the changes in place.
+std::string patched(std::string text, const toml::table& root, const Changes& changes) {
+    if (changes.waves) text = replaceWaves(text, root, *changes.waves);
+    const toml::table replaced = parseToml(text, "scene");
+    return patchSettings(text, replaced, settingsFor(replaced, changes));
+}
+
+/// The scene written anew.
+std::string rewritten(toml::table root, const Changes& changes) {
+    if (changes.waves) {
+        if (!root.contains("water")) root.insert("water", toml::table{});
+        toml::table& water = *root["water"].as_table();
+        water.erase("preset");
+        water.erase("wave");
+        toml::table made = parseToml(*changes.waves, "scene");
+        if (const toml::array* entries = wavesOf(made)) water.insert("wave", *entries);
+    }
+    for (const Setting& setting : settingsFor(root, changes))
+        insert(root, setting);
+    return asToml(root) + "\n";
 }
 
 } // namespace
@@ -178,12 +261,8 @@ const Scene& SceneDocument::scene() const {
 std::string SceneDocument::textOf(const Scene& changed, const fs::path& folder) const {
     const Content& own = *_content;
     const auto from = fs::absolute(own.file).parent_path();
-    const bool moves = fs::weakly_canonical(fs::absolute(folder)) != fs::weakly_canonical(from);
-    const bool newWaves = !sameKinds(own.scene.water.waves, changed.water.waves) ||
-                          (!wavesOf(own.root) && own.scene.water.waves != changed.water.waves);
-    const std::string waves = newWaves ? wavesText(own.root, own.scene, changed) : "";
-    std::vector<Setting> settings = difference(settingsOf(changed), settingsOf(own.scene));
-    if (newWaves) std::erase_if(settings, [](const Setting& s) { return s.section == "water.wave"; });
+    Changes changes = changesOf(own.root, own.scene, changed);
+    if (fs::weakly_canonical(fs::absolute(folder)) != fs::weakly_canonical(from)) changes.movedFrom = from;
     const auto loads = [&](const std::string& text) {
         try {
             MeshCache meshes = own.meshes;
@@ -192,33 +271,10 @@ std::string SceneDocument::textOf(const Scene& changed, const fs::path& folder) 
             return false;
         }
     };
-
-    if (!own.text.empty()) {
-        std::string text = newWaves ? replaceWaves(own.text, own.root, waves) : own.text;
-        toml::table root = parseToml(text, "scene");
-        if (moves)
-            for (Setting& path : wholePaths(root, from))
-                settings.push_back(std::move(path));
-        text = patchSettings(text, root, settings);
-        if (loads(text)) return text;
-    }
-
-    toml::table root = own.root;
-    if (newWaves) {
-        if (!root.contains("water")) root.insert("water", toml::table{});
-        root["water"].as_table()->erase("preset");
-        root["water"].as_table()->erase("wave");
-        toml::table made = parseToml(waves, "scene");
-        if (const toml::array* entries = wavesOf(made)) root["water"].as_table()->insert("wave", *entries);
-    }
-    if (moves)
-        for (Setting& path : wholePaths(root, from))
-            settings.push_back(std::move(path));
-    for (const Setting& setting : settings)
-        insert(root, setting);
-    const std::string text = asToml(root) + "\n";
-    if (!loads(text)) throw InputError("the scene cannot be written as it is");
-    return text;
+    if (!own.text.empty())
+        if (std::string text = patched(own.text, own.root, changes); loads(text)) return text;
+    if (std::string text = rewritten(own.root, changes); loads(text)) return text;
+    throw InputError("the scene cannot be written as it is");
 }
 
 } // namespace limpid::io

@@ -12,6 +12,7 @@
 #include "io/TomlReader.h"
 #include "io/WaterBodies.h"
 #include "io/WaterPresets.h"
+#include "scene/Sea.h"
 #include "scene/Shapes.h"
 
 namespace fs = std::filesystem;
@@ -102,8 +103,7 @@ void parsePhillips(TomlTable& table, Wave& wave) {
     table.wholeNumber("seed", seed, 0, 0xFFFFFFFF);
     wind.seed = static_cast<std::uint32_t>(seed);
     table.finish(" of a phillips wave");
-    wave.spectrum = phillipsSpectrum(wind);
-    if (!wave.spectrum)
+    if (!raiseSea(wave, wind))
         table.fail("wind", fmt::format("a wind that raises waves of {:.3g} to {:.3g} m",
                                        2 * std::min(wind.tile.x, wind.tile.y) / wind.modes,
                                        std::max(wind.tile.x, wind.tile.y)));

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "io/WaterBodies.h"
+#include "scene/Sea.h"
+
 namespace limpid::io {
 
 namespace {
@@ -11,6 +14,9 @@ std::string text(double value) {
     return fmt::format("{}", value);
 }
 std::string text(int value) {
+    return fmt::format("{}", value);
+}
+std::string text(std::uint32_t value) {
     return fmt::format("{}", value);
 }
 std::string text(std::string_view value) {
@@ -54,15 +60,31 @@ void addWater(Table table, const Water& water) {
     table.add("size", water.size);
     table.add("grid", water.grid);
     table.add("ior", water.ior);
+    if (const auto body = waterBodyOf(water)) {
+        table.add("type", waterBodies[*body]);
+        return;
+    }
     table.add("absorption", water.absorption);
     table.add("scattering", water.scattering);
     table.add("anisotropy", water.anisotropy);
 }
 
+void addWind(Table table, const Wind& wind) {
+    table.add("wind", wind.velocity);
+    table.add("size", wind.tile);
+    table.add("modes", wind.modes);
+    if (wind.shortest > 0) table.add("shortest", wind.shortest);
+    table.add("seed", wind.seed);
+}
+
 void addWave(Table table, const Wave& wave) {
-    if (!isTexture(wave.type)) table.add("type", waveTypeNames[std::size_t(wave.type)]);
+    if (wave.type != WaveType::HeightMap) table.add("type", waveTypeNames[std::size_t(wave.type)]);
     table.add("amplitude", wave.amplitude);
-    if (isTexture(wave.type)) return;
+    if (wave.type == WaveType::HeightMap) return;
+    if (wave.type == WaveType::Phillips) {
+        addWind(table, windOf(wave));
+        return;
+    }
     table.add("wavelength", wave.wavelength);
     table.add("speed", wave.speed);
     if (wave.type == WaveType::Cosine) table.add("direction", wave.direction);
@@ -72,7 +94,7 @@ void addWave(Table table, const Wave& wave) {
         return;
     }
     table.add("octaves", wave.octaves);
-    table.settings.push_back({table.section, table.entry, "seed", fmt::format("{}", wave.seed)});
+    table.add("seed", wave.seed);
 }
 
 void addLight(Table table, const Light& light) {
@@ -106,6 +128,23 @@ void addCaustics(Table table, const CausticsSettings& caustics) {
     table.add("slicing", slicings[std::size_t(caustics.slicing)]);
     table.add("depth_levels", caustics.depthLevels);
     table.add("threshold", caustics.threshold);
+    table.add("photon_grid", caustics.photonGrid);
+    table.add("photon_subdivision", caustics.photonSubdivision);
+    table.add("splat_size", caustics.splatSize);
+    table.add("filter_taps", caustics.filterTaps);
+    table.add("filter_radius", caustics.filterRadius);
+}
+
+void addGodrays(Table table, const GodraySettings& godrays) {
+    constexpr std::string_view phases[] = {"henyey-greenstein", "schlick"};
+    table.add("method", godrayMethodName(godrays.method));
+    table.add("phase", phases[std::size_t(godrays.phase)]);
+    table.add("grid", godrays.grid);
+    table.add("subdivision", godrays.subdivision);
+    table.add("scale", godrays.scale);
+    table.add("line_width", godrays.lineWidth);
+    table.add("filter_taps", godrays.filterTaps);
+    table.add("filter_radius", godrays.filterRadius);
 }
 
 } // namespace
@@ -129,6 +168,7 @@ std::vector<Setting> settingsOf(const Scene& scene) {
     Table{all, "sky"}.add("radiance", scene.skyRadiance);
     Table{all, "ambient"}.add("radiance", scene.ambientRadiance);
     addCaustics({all, "caustics"}, scene.caustics);
+    addGodrays({all, "godrays"}, scene.godrays);
     return all;
 }
 

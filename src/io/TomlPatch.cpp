@@ -16,8 +16,10 @@ struct Edit {
 };
 
 std::string applied(std::string text, std::vector<Edit> edits) {
-    std::stable_sort(edits.begin(), edits.end(),
-                     [](const Edit& a, const Edit& b) { return a.begin > b.begin; });
+    // From the end, so that places stay; at one place what goes before what comes.
+    std::stable_sort(edits.begin(), edits.end(), [](const Edit& a, const Edit& b) {
+        return a.begin != b.begin ? a.begin > b.begin : a.end > b.end;
+    });
     for (const Edit& edit : edits)
         text.replace(edit.begin, edit.end - edit.begin, edit.replacement);
     return text;
@@ -85,7 +87,12 @@ std::string patchSettings(const std::string& text, const toml::table& root,
     for (const Setting& setting : settings) {
         const toml::table* table = tableOf(root, setting);
         const std::string line = fmt::format("{} = {}\n", setting.key, setting.value);
-        if (const toml::node* value = table ? table->get(setting.key) : nullptr) {
+        const toml::node* value = table ? table->get(setting.key) : nullptr;
+        if (setting.value.empty()) {
+            if (value && !table->is_inline())
+                edits.push_back(
+                    {lines.begin(value->source().begin.line), lines.begin(lastLine(*value) + 1), ""});
+        } else if (value) {
             edits.push_back(
                 {lines.offset(value->source().begin), lines.offset(value->source().end), setting.value});
         } else if (table && hasHeader(text, lines, *table)) {

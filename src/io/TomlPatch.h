@@ -8,7 +8,8 @@
 
 namespace limpid::io {
 
-/// The text of a scene file with some settings changed or added and all else, comments included, as it was.
+/// The text of a scene file with some settings changed, added or taken out and all else, comments included,
+/// as it was.
 /// `root` is what `text` was parsed to. Whether the result says what was meant is for the caller to check: a
 /// table written in one line, say, is left alone.
 std::string patchSettings(const std::string& text, const toml::table& root,

@@ -37,7 +37,18 @@ void setWaterBody(std::size_t body, Water& water) {
         // Particles scatter as the inverse of the wavelength (Gordon and Morel, 1983).
         water.scattering[c] = bodies[body].scattering * 514 / wavelengths[channel];
     }
-    if (body > 0) water.anisotropy = petzoldAnisotropy;
+    water.anisotropy = body > 0 ? petzoldAnisotropy : Water{}.anisotropy;
+}
+
+std::optional<std::size_t> waterBodyOf(const Water& water) {
+    for (std::size_t body = 0; body < std::size(waterBodies); ++body) {
+        Water own;
+        setWaterBody(body, own);
+        if (own.absorption == water.absorption && own.scattering == water.scattering &&
+            own.anisotropy == water.anisotropy)
+            return body;
+    }
+    return std::nullopt;
 }
 
 } // namespace limpid::io

@@ -47,16 +47,16 @@ struct Wave {
     /// of the image; phillips: root mean square of the height.
     double amplitude = 0.004;
     double wavelength = 0.2;                  ///< m, > 0; noise: the lattice cell of the first octave
-    glm::dvec2 direction{1, 0};               ///< cosine: in xz, of any length > 0
+    glm::dvec2 direction{1, 0};               ///< cosine: in xz, of any length > 0; phillips: wind, m/s
     glm::dvec2 center{0, 0};                  ///< circular, height map: x and z, m
     double speed = 0;                         ///< m/s
     double phase = 0;                         ///< degrees
     int octaves = 4;                          ///< noise: 1 to 12
-    std::uint32_t seed = 0;                   ///< noise
+    std::uint32_t seed = 0;                   ///< noise, phillips
     std::shared_ptr<HeightSource> heights;    ///< height map: its frames, in a loop
-    glm::dvec2 size{1};                       ///< height map: extents along x and z, m; 0 outside of them
+    glm::dvec2 size{1};                       ///< height map (0 outside), phillips: along x and z, m
     double fps = 30;                          ///< height map: frames a second, > 0
-    std::shared_ptr<const Spectrum> spectrum; ///< phillips
+    std::shared_ptr<const Spectrum> spectrum; ///< phillips (scene/Sea.h)
 
     bool operator==(const Wave&) const = default;
 };

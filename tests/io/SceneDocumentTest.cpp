@@ -7,8 +7,9 @@
 
 #include "io/SceneSettings.h"
 #include "io/TempFolder.h"
+#include "io/WaterBodies.h"
 #include "io/WaterPresets.h"
-#include "scene/Spectrum.h"
+#include "scene/Sea.h"
 
 namespace limpid::io {
 namespace {
@@ -128,6 +129,125 @@ TEST(SceneDocument, aPresetThatIsChangedBecomesWaves) {
     expectSame(again(document, changed, folder, &text), changed);
     EXPECT_THAT(text, HasSubstr("level = 1 # m"));
     EXPECT_THAT(text, Not(HasSubstr("preset")));
+}
+
+/// A pond whose `[water]` and `[[water.wave]]` are as given.
+SceneDocument pondOf(const TempFolder& folder, const std::string& water) {
+    return SceneDocument(folder.write("pond.toml", water + "\n[[receiver]]\nsphere = { radius = 1 }\n"));
+}
+
+TEST(SceneDocument, aSeasWindIsWritten) {
+    const TempFolder folder;
+    const SceneDocument document =
+        pondOf(folder, "[[water.wave]]\ntype = \"phillips\" # a sea\nsize = 2\nmodes = 16\nshortest = 0.5");
+    Scene changed = document.scene();
+    ASSERT_TRUE(raiseSea(changed.water.waves[0],
+                         {.velocity = {1, 2.5}, .tile = {3, 2}, .modes = 8, .seed = 4000000000u}));
+    std::string text;
+    const Scene read = again(document, changed, folder, &text);
+    expectSame(read, changed);
+    EXPECT_EQ(read.water.waves[0].spectrum->amplitudes, changed.water.waves[0].spectrum->amplitudes);
+    EXPECT_THAT(text, HasSubstr("type = \"phillips\" # a sea\n"));
+    EXPECT_THAT(text, Not(HasSubstr("shortest"))); // as the tile and the modes have it again
+    // And a wave of another kind becomes one.
+    const SceneDocument plain(folder.write("pool.toml", pool));
+    changed = plain.scene();
+    ASSERT_TRUE(raiseSea(changed.water.waves[0], {.shortest = 0.7}));
+    expectSame(again(plain, changed, folder, &text), changed);
+    EXPECT_THAT(text, HasSubstr("shortest = 0.7"));
+}
+
+TEST(SceneDocument, wavesThatWereScaledAreWrittenAsTheyAre) {
+    const TempFolder folder;
+    for (const char* water : {"[water]\nwave_scale = 0.3 # lower\n[[water.wave]] # kept\nwavelength = 0.5",
+                              "[water]\nwave_scale = 0.3 # lower\npreset = \"rain drops\""}) {
+        const SceneDocument document = pondOf(folder, water);
+        std::string text;
+        Scene changed = document.scene();
+        changed.water.level = 0.5;
+        expectSame(again(document, changed, folder, &text), changed);
+        EXPECT_THAT(text, HasSubstr("wave_scale = 0.3 # lower"));
+        changed.water.center = {1, 2}; // which rain would follow
+        expectSame(again(document, changed, folder), changed);
+        changed.water.waves[0].amplitude = 0.007;
+        expectSame(again(document, changed, folder, &text), changed);
+        EXPECT_THAT(text, Not(HasSubstr("wave_scale")));
+    }
+}
+
+TEST(SceneDocument, aPresetIsWrittenByItsName) {
+    const TempFolder folder;
+    const SceneDocument document(folder.write("pool.toml", pool));
+    Scene changed = document.scene();
+    changed.water.center = {1, -1};
+    for (std::size_t preset = 0; preset < std::size(waterPresets); ++preset) {
+        changed.water.waves = presetWaves(preset, {1, -1});
+        std::string text;
+        expectSame(again(document, changed, folder, &text), changed);
+        EXPECT_THAT(text, HasSubstr("preset = \"" + std::string(waterPresets[preset]) + '"'));
+        EXPECT_THAT(text, Not(HasSubstr("[[water.wave]]")));
+    }
+}
+
+TEST(SceneDocument, namedWaterComesAndGoes) {
+    const TempFolder folder;
+    const SceneDocument named = pondOf(folder, "[water]\ntype = \"pool\" # tiled\nlevel = 1");
+    Scene changed = named.scene();
+    std::string text;
+    setWaterBody(3, changed.water);
+    expectSame(again(named, changed, folder, &text), changed);
+    EXPECT_THAT(text, HasSubstr("type = \"coastal\" # tiled"));
+    changed.water.scattering.x = 0.5;
+    expectSame(again(named, changed, folder, &text), changed);
+    EXPECT_THAT(text, Not(HasSubstr("type")));
+    // Back to water that takes nothing, anisotropy included.
+    changed.water = Water{};
+    changed.water.level = 1;
+    expectSame(again(named, changed, folder), changed);
+
+    const SceneDocument pool3(folder.write("pool.toml", pool));
+    changed = pool3.scene();
+    setWaterBody(2, changed.water);
+    expectSame(again(pool3, changed, folder, &text), changed);
+    EXPECT_THAT(text, Not(HasSubstr("absorption")));
+}
+
+TEST(SceneDocument, whatIsLeftToTheEngineAgainIsTakenOut) {
+    const TempFolder folder;
+    for (const char* water : {"[water]\ncenter = [1, 2]\nsize = [\n  3, # wide\n  4]\nlevel = 1 # m",
+                              "water = { center = [1, 2], size = [3, 4], level = 1 }"}) {
+        const SceneDocument document = pondOf(folder, water);
+        Scene changed = document.scene();
+        changed.water.center.reset();
+        changed.water.size.reset();
+        changed.water.ior = 1.4; // goes to where the first line went
+        const Scene read = again(document, changed, folder);
+        expectSame(read, changed);
+        EXPECT_EQ(read.water.level, 1);
+    }
+}
+
+TEST(SceneDocument, splatsAndGodraysAreWritten) {
+    const TempFolder folder;
+    const SceneDocument document(folder.write("pool.toml", pool));
+    Scene changed = document.scene();
+    changed.caustics.method = Method::PhotonSplat;
+    changed.caustics.photonGrid = {30, 40};
+    changed.caustics.photonSubdivision = 3;
+    changed.caustics.splatSize = {4, 9.5};
+    changed.caustics.filterTaps = 0;
+    changed.caustics.filterRadius = 1.25;
+    changed.godrays = {.method = GodrayMethod::PhotonLines,
+                       .phase = Phase::Schlick,
+                       .grid = {50, 60},
+                       .subdivision = 1,
+                       .scale = 0.5,
+                       .lineWidth = 2,
+                       .filterTaps = 4,
+                       .filterRadius = 3};
+    const Scene read = again(document, changed, folder);
+    EXPECT_EQ(read.caustics, changed.caustics);
+    EXPECT_EQ(read.godrays, changed.godrays);
 }
 
 TEST(SceneDocument, tablesOfOneLineAreWrittenAnew) {
