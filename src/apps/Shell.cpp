@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "apps/Common.h"
+#include "io/SceneSettings.h"
 
 /// What a shell and `man` need to know of the commands, told by the commands themselves so that it stays
 /// true.
@@ -20,15 +21,51 @@ std::string longNames(const CLI::App& command) {
     return names;
 }
 
-/// For bash: commands first, then each command's options, the methods after --method, and files.
-std::string bashScript(const CLI::App& app) {
-    std::string commands, cases, methods;
-    for (const CLI::App* command : commandsOf(app)) {
-        commands += fmt::format("{}{}", commands.empty() ? "" : " ", command->get_name());
-        cases += fmt::format("        {}) words=\"{}\" ;;\n", command->get_name(), longNames(*command));
+/// What every key of a scene is by default; entries of lists have number 0.
+std::vector<std::pair<std::string, std::string>> sceneKeys() {
+    Scene scene;
+    scene.water.waves.resize(1);
+    scene.lights.resize(1);
+    scene.receivers.resize(1);
+    std::vector<std::pair<std::string, std::string>> keys;
+    for (const io::Setting& setting : io::settingsOf(scene)) {
+        const std::string entry = setting.entry < 0 ? "" : fmt::format("{}.", setting.entry);
+        keys.emplace_back(fmt::format("{}.{}{}", setting.section, entry, setting.key), setting.value);
     }
-    for (const Method method : allMethods())
-        methods += fmt::format("{}{}", methods.empty() ? "" : " ", methodName(method));
+    return keys;
+}
+
+template <typename Values, typename NameOf>
+std::string words(const Values& values, NameOf&& nameOf) {
+    std::string all;
+    for (const auto& value : values)
+        all += fmt::format("{}{}", all.empty() ? "" : " ", nameOf(value));
+    return all;
+}
+
+/// What may come after an option.
+std::string choices() {
+    constexpr GodrayMethod godrays[] = {GodrayMethod::None, GodrayMethod::PhotonLines};
+    const std::pair<std::string, std::string> all[] = {
+        {"--method | --compare", words(allMethods(), methodName)},
+        {"--fill", words(allFills(), fillName)},
+        {"--godrays", words(godrays, godrayMethodName)},
+        {"--panel", "measure understand compare"}};
+    std::string cases;
+    for (const auto& [options, names] : all)
+        cases += fmt::format("        {}) COMPREPLY=($(compgen -W \"{}\" -- \"$current\")); return ;;\n",
+                             options, names);
+    const std::string keys = words(sceneKeys(), [](const auto& key) { return key.first + "="; });
+    return cases + fmt::format("        --set) COMPREPLY=($(compgen -W \"{}\" -- \"$current\"))\n"
+                               "            compopt -o nospace 2>/dev/null; return ;;\n",
+                               keys);
+}
+
+/// For bash: commands first, then each command's options, what some of them take, and files.
+std::string bashScript(const CLI::App& app) {
+    std::string cases;
+    for (const CLI::App* command : commandsOf(app))
+        cases += fmt::format("        {}) words=\"{}\" ;;\n", command->get_name(), longNames(*command));
     return fmt::format(R"(_limpid() {{
     local current="${{COMP_WORDS[COMP_CWORD]}}" before="${{COMP_WORDS[COMP_CWORD-1]}}" words=""
     if [ "$COMP_CWORD" -eq 1 ]; then
@@ -36,8 +73,7 @@ std::string bashScript(const CLI::App& app) {
         return
     fi
     case "$before" in
-        --method | --compare) COMPREPLY=($(compgen -W "{}" -- "$current")); return ;;
-    esac
+{}    esac
     case "${{COMP_WORDS[1]}}" in
 {}    esac
     case "$current" in
@@ -47,7 +83,8 @@ std::string bashScript(const CLI::App& app) {
 }}
 complete -o default -F _limpid limpid
 )",
-                       commands, methods, cases);
+                       words(commandsOf(app), [](const CLI::App* c) { return c->get_name(); }), choices(),
+                       cases);
 }
 
 /// As roff takes it: a hyphen is a minus, a dot or a quote at the beginning of a line is no command.
@@ -70,6 +107,9 @@ std::string manPage(const CLI::App& app) {
             page += fmt::format(".TP\n\\fB{}\\fR\n{}\n", roff(option->get_name(true, true)),
                                 roff(option->get_description()));
     }
+    page += ".SH SCENE KEYS\nWhat a scene file or \\-\\-set may say, with its default.\n";
+    for (const auto& [key, value] : sceneKeys())
+        page += fmt::format(".TP\n\\fB{}\\fR\n{}\n", roff(key), roff(value));
     return page + fmt::format(".SH EXIT STATUS\n{}\n", roff(app.get_footer()));
 }
 

@@ -34,6 +34,11 @@ TEST(ShellCommand, bashCompletesCommandsOptionsAndMethods) {
     EXPECT_EQ(completions("limpid rend", 1), "render\n");
     EXPECT_EQ(completions("limpid render --map", 2), "--map-size\n");
     EXPECT_EQ(completions("limpid bake --method exa", 3), "exact-beam\n");
+    EXPECT_EQ(completions("limpid bake --fill one", 3), "one-pass\n");
+    EXPECT_EQ(completions("limpid view --panel und", 3), "understand\n");
+    EXPECT_EQ(completions("limpid render --godrays photon", 3), "photon-lines\n");
+    EXPECT_EQ(completions("limpid render --set water.le", 3), "water.level=\n");
+    EXPECT_EQ(completions("limpid render --set light.0.dir", 3), "light.0.direction=\n");
 }
 
 TEST(ShellCommand, theManualPageHasEveryCommandAndOption) {
@@ -44,6 +49,7 @@ TEST(ShellCommand, theManualPageHasEveryCommandAndOption) {
         EXPECT_THAT(page.out, HasSubstr(fmt::format(".SS {}\n", command)));
     EXPECT_THAT(page.out, HasSubstr("\\-\\-after\\-frames"));
     EXPECT_THAT(page.out, HasSubstr(".SH EXIT STATUS\n"));
+    EXPECT_THAT(page.out, HasSubstr("\\fBcaustics.method\\fR\n\"exact\\-beam\"\n"));
 }
 
 TEST(ShellCommand, aSlipIsAnsweredWithTheNearestName) {
