@@ -79,25 +79,36 @@ std::string progressText(const State& state, const Stage& stage) {
                        stage.fullMaps() ? "" : ", coarse caustics");
 }
 
-void statusBar(const State& state, const Stage& stage, const gl::Context& context, const Layout& layout) {
+/// Time, progress and, while pictures follow each other, how fast they do.
+void statusTexts(const Shows& shows) {
+    const float gap = ImGui::GetFontSize();
+    ImGui::Text("t = %.3f s", shows.state.time);
+    ImGui::SameLine(0, gap);
+    ImGui::TextUnformatted(progressText(shows.state, shows.stage).c_str());
+    ImGui::SameLine(0, gap);
+    if (const int rate = shows.measured.perSecond(); rate > 1) {
+        ImGui::Text("%d fps", rate);
+        ImGui::SameLine(0, gap);
+    }
+}
+
+void statusBar(const Shows& shows, const Layout& layout) {
+    const State& state = shows.state;
+    const float letter = ImGui::GetFontSize();
     place(0, float(layout.window.y) - layout.bottom, float(layout.window.x), layout.bottom);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding,
-                        ImVec2(0.6f * ImGui::GetFontSize(), 0.25f * ImGui::GetFontSize()));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.6f * letter, 0.25f * letter));
     if (ImGui::Begin("status", nullptr, fixed | ImGuiWindowFlags_NoScrollbar)) {
-        const bool wide = float(layout.window.x) > 55 * ImGui::GetFontSize();
-        if (state.hasScene()) {
-            ImGui::Text("t = %.3f s", state.time);
-            ImGui::SameLine(0, ImGui::GetFontSize());
-            ImGui::TextUnformatted(progressText(state, stage).c_str());
-            ImGui::SameLine(0, ImGui::GetFontSize());
-        }
+        if (state.hasScene()) statusTexts(shows);
         if (!state.notice.empty())
             ImGui::TextColored(ImVec4(0.6f, 0.9f, 0.6f, 1), "%s", state.notice.c_str());
-        else if (wide)
-            ImGui::TextDisabled("%s", context.info().renderer.c_str());
+        else if (float(layout.window.x) > 55 * letter)
+            ImGui::TextDisabled("%s", shows.context.info().renderer.c_str());
         const char* keys = state.playing ? "Space: pause   ?: keys" : "Space: play   ?: keys";
-        ImGui::SameLine(float(layout.window.x) - ImGui::CalcTextSize(keys).x - 0.6f * ImGui::GetFontSize());
-        ImGui::TextDisabled("%s", keys);
+        const float at = float(layout.window.x) - ImGui::CalcTextSize(keys).x - 0.6f * letter;
+        if (float(layout.window.x) > 30 * letter) {
+            ImGui::SameLine(at);
+            ImGui::TextDisabled("%s", keys);
+        }
     }
     ImGui::End();
     ImGui::PopStyleVar();
@@ -197,7 +208,7 @@ void drawInterface(const Shows& shows, const Layout& layout) {
     if (!state.hasScene()) welcome(layout);
     if (state.panels) {
         menuBar(state);
-        statusBar(state, shows.stage, shows.context, layout);
+        statusBar(shows, layout);
         if (layout.left > 0) {
             place(0, layout.top, layout.left, float(layout.window.y) - layout.top - layout.bottom);
             if (ImGui::Begin("scene", nullptr, fixed)) scenePanel(state);

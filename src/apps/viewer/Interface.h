@@ -23,7 +23,7 @@ struct Shows {
     State& state;
     Stage& stage;
     gl::Context& context;
-    const Measured& measured;
+    Measured& measured;
     Understanding& understanding;
 };
 /// Bars, panels, messages and the keys.

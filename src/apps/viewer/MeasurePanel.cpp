@@ -120,8 +120,9 @@ void skippedTable(Stage& stage) {
     ImGui::EndTable();
 }
 
-void answersTable(const Measured& measured) {
+void answersTable(Measured& measured) {
     if (!ImGui::BeginTable("answers", 2)) return;
+    row("pictures a second", fmt::format("{}", measured.perSecond()));
     row("first picture", fmt::format("{:.0f} ms", measured.firstPictureMs));
     if (!measured.answersMs.empty()) {
         const Spread spread = spreadOf(measured.answersMs);
@@ -133,7 +134,7 @@ void answersTable(const Measured& measured) {
 
 } // namespace
 
-void measurePanel(const Measured& measured, Stage& stage, gl::Context& context) {
+void measurePanel(Measured& measured, Stage& stage, gl::Context& context) {
     ImGui::TextWrapped("%s", context.info().renderer.c_str());
     ImGui::TextDisabled("OpenGL %s", context.info().version.c_str());
     if (measured.frames.empty()) return;

@@ -6,6 +6,6 @@
 namespace limpid::viewer {
 
 /// Times by pass, memory by kind, what was left out, and the GPU. Inside of a window of Dear ImGui.
-void measurePanel(const Measured& measured, Stage& stage, gl::Context& context);
+void measurePanel(Measured& measured, Stage& stage, gl::Context& context);
 
 } // namespace limpid::viewer

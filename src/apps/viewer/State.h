@@ -1,4 +1,5 @@
 #pragma once
+#include <chrono>
 #include <deque>
 #include <filesystem>
 #include <optional>
@@ -57,8 +58,10 @@ struct Measured {
         std::vector<std::pair<std::string, double>> passes;
     };
     std::deque<Frame> frames;
-    std::vector<double> answersMs; ///< from taking a change of the user's to its picture in the window
-    double firstPictureMs = 0;     ///< from the start of the program
+    std::deque<Clock::time_point> shown; ///< when the last second's pictures came
+    std::vector<double> answersMs;       ///< from taking a change of the user's to its picture in the window
+    double firstPictureMs = 0;           ///< from the start of the program
+    using Clock = std::chrono::steady_clock;
 
     void add(const std::vector<std::pair<std::string, double>>& passes) {
         frames.push_back({passes});
@@ -67,3 +70,10 @@ struct Measured {
 };
 
 } // namespace limpid::viewer
+        shown.push_back(Clock::now());
+    }
+    /// Pictures in the last second.
+    int perSecond() {
+        while (!shown.empty() && Clock::now() - shown.front() > std::chrono::seconds(1))
+            shown.pop_front();
+        return int(shown.size());

@@ -154,6 +154,7 @@ void Viewer::frameSelection() {
     if (_state.selected) bounds = worldBounds(_state.scene.receivers[std::size_t(*_state.selected)]);
     if (!_state.selected) bounds = worldBounds(_state.scene);
     viewer::frame(_state.scene.camera, bounds, _state.scene.water);
+    if (_window.hidden()) return 0.5;
 }
 
 void Viewer::doRequests() {
@@ -274,7 +275,7 @@ void Viewer::frame() {
     _lively = _window.hasEvents() ? 3 : std::max(_lively - 1, 0);
     const double seconds = Ms(taken - _last).count() / 1000;
     _last = taken;
-    if (_window.size().x < 1 || _window.size().y < 1) return;
+    if (_window.hidden()) return;
     _window.beginInterface();
     Layout layout = layoutOf(_state, _window.size());
     if (takeInput(_state, layout.picture, seconds)) _lively = 3;

@@ -203,6 +203,12 @@ glm::ivec2 Window::size() const {
     return size;
 }
 
+bool Window::hidden() const {
+    const glm::ivec2 pixels = size();
+    return pixels.x < 1 || pixels.y < 1 || glfwGetWindowAttrib(_window, GLFW_ICONIFIED) ||
+           !glfwGetWindowAttrib(_window, GLFW_VISIBLE);
+}
+
 void Window::waitForEvents(double seconds) {
     if (seconds > 0 && _events.empty())
         glfwWaitEventsTimeout(seconds);

@@ -31,8 +31,10 @@ class Window {
     void setTitle(const std::string& title);
     void setFullscreen(bool on);
     bool fullscreen() const { return _fullscreen; }
-    /// Pixels; zero while the window is minimised.
+    /// Pixels.
     glm::ivec2 size() const;
+    /// Whether nobody can see it: minimised, or of no size.
+    bool hidden() const;
     double interfaceScale() const { return _scale; }
 
     /// Waits for up to `seconds` for mouse or keyboard to do something, unless there is more to take already.
