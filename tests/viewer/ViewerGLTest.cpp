@@ -3,9 +3,12 @@
 #include <functional>
 
 #include "apps/RunProgram.h"
+#include "apps/viewer/Gizmo.h"
 #include "io/Images.h"
+#include "io/SceneFile.h"
 #include "io/TempFolder.h"
 #include "viewer/Display.h"
+#include "viewer/Drop.h"
 
 namespace limpid::test {
 namespace {
@@ -56,13 +59,14 @@ class ViewerGLTest : public ::testing::Test {
         if (_viewer <= 0) return;
         kill(_viewer, SIGTERM);
         waitpid(_viewer, nullptr, 0);
+        _viewer = -1;
     }
 
     void open(const std::string& input, std::vector<std::string> more = {}) {
         ASSERT_FALSE(display.name().empty()) << "Xvfb did not start: install what tools/packages lists";
-        std::vector<std::string> words = {
-            LIMPID_BUILD "/limpid", "view", input, "--verbose", "--size", "448x336",
-            "--interface-scale",    "0.7"};
+        std::vector<std::string> words = {LIMPID_BUILD "/limpid", "view", "--verbose", "--size", "448x336",
+                                          "--interface-scale",    "0.7"};
+        if (!input.empty()) words.push_back(input);
         words.insert(words.end(), more.begin(), more.end());
         _seen = 0;
         _viewer = start(words, output(), display.name(), environment);
@@ -90,7 +94,7 @@ class ViewerGLTest : public ::testing::Test {
 
     /// Whether it becomes true before a slow machine's patience ends.
     static bool until(const std::function<bool()>& is) {
-        for (const auto end = Clock::now() + std::chrono::seconds(60); Clock::now() < end;
+        for (const auto end = Clock::now() + std::chrono::seconds(120); Clock::now() < end;
              std::this_thread::sleep_for(std::chrono::milliseconds(20)))
             if (is()) return true;
         return false;
@@ -118,6 +122,42 @@ class ViewerGLTest : public ::testing::Test {
     }
     /// All pixels but the status bar, which counts frames.
     static double anyChange(const Screen& a, const Screen& b) { return changed(a, b, {0, 0}, {448, 318}); }
+
+    /// Whether a message is over the picture.
+    bool isRed() const {
+        const glm::ivec3 pixel = screen().at(222, 30);
+        return pixel.r > 80 && pixel.g < 60 && pixel.b < 60;
+    }
+    fs::path savedPicture() const { return folder.path() / "pond-1.png"; }
+    fs::path savedScene() const { return folder.path() / "changed.toml"; }
+    /// Saves picture and scene; the scene's text.
+    std::string saved() {
+        for (const fs::path& file : {savedPicture(), savedScene()})
+            fs::remove(file);
+        display.send("key p");
+        EXPECT_TRUE(until([&] { return fs::exists(savedPicture()); }));
+        display.send("key ctrl+s sleep 0.5 key ctrl+a");
+        display.send(fmt::format("type --delay 1 {}", savedScene().string()));
+        display.send("sleep 0.5 key Return");
+        EXPECT_TRUE(until([&] { return fs::exists(savedScene()); })) << said();
+        std::ifstream stream(savedScene());
+        return {std::istreambuf_iterator<char>(stream), {}};
+    }
+    /// That `limpid render` makes the saved picture of the saved scene.
+    void expectRendered(double time) {
+        const io::FloatImage shown = io::readImage(savedPicture());
+        const fs::path file = folder.path() / "rendered.png";
+        const Result result = run(fmt::format("render {} -o {} --size {}x{} --time {}", savedScene().string(),
+                                              file.string(), shown.width, shown.height, time));
+        ASSERT_EQ(result.code, 0) << result.out;
+        const io::FloatImage rendered = io::readImage(file);
+        ASSERT_EQ(rendered.data.size(), shown.data.size());
+        long most = 0;
+        for (std::size_t i = 0; i < shown.data.size(); ++i)
+            most = std::max(most, std::lround(255 * std::abs(shown.data[i] - rendered.data[i])));
+        // Tone mapping in the GPU's logarithms and the CPU's may fall on either side of a step.
+        EXPECT_LE(most, 1);
+    }
 
     TempFolder folder;
     std::map<std::string, std::string> environment;
@@ -179,7 +219,7 @@ TEST_F(ViewerGLTest, aClickPicksAndShowsFields) {
     openPond();
     display.send(fmt::format("mousemove {} {} click 1", ball.x, ball.y));
     EXPECT_TRUE(until([&] { return changed(first, screen(), panelFrom, panelTo) > 0.02; }));
-    EXPECT_EQ(pictureChange(first, screen()), 0);
+    EXPECT_GT(pictureChange(first, screen()), 0); // its handles
     display.send("key Escape");
     EXPECT_TRUE(until([&] { return anyChange(first, screen()) == 0; }));
 }
@@ -189,16 +229,12 @@ TEST_F(ViewerGLTest, aFieldOfThePanelChangesTheScene) {
     // The ball's row, then the middle number of its translation, which is its height.
     display.send(fmt::format("mousemove {} {} click 1", ball.x, ball.y));
     ASSERT_TRUE(until([&] { return changed(first, screen(), panelFrom, panelTo) > 0.02; }));
-    change("mousemove 52 104 mousedown 1 mousemove 62 104 mousemove 92 104 mouseup 1", 0.05);
+    change("mousemove 52 121 mousedown 1 mousemove 62 121 mousemove 92 121 mouseup 1", 0.05);
 }
 
 TEST_F(ViewerGLTest, wrongFilesAreToldInTheWindow) {
     open((folder.path() / "missing.toml").string());
-    const auto red = [&] {
-        const glm::ivec3 pixel = screen().at(222, 30);
-        return pixel.r > 80 && pixel.g < 60 && pixel.b < 60;
-    };
-    EXPECT_TRUE(until(red));
+    EXPECT_TRUE(until([&] { return isRed(); }));
     EXPECT_TRUE(runs());
     // The window goes on, and takes a file that is right.
     const fs::path good = folder.write("pond.toml", pond);
@@ -206,44 +242,103 @@ TEST_F(ViewerGLTest, wrongFilesAreToldInTheWindow) {
     display.send(fmt::format("type --delay 1 {}", good.string()));
     display.send("sleep 0.5 key Return");
     EXPECT_TRUE(completes()) << said();
-    EXPECT_FALSE(red());
+    EXPECT_FALSE(isRed());
     // Another wrong one leaves the scene where it is.
     first = screen();
     display.send("key ctrl+o sleep 0.5");
     display.send(fmt::format("type --delay 1 {}", folder.write("odd.toml", "[watr]").string()));
     display.send("sleep 0.5 key Return");
-    EXPECT_TRUE(until([&] { return red(); }));
+    EXPECT_TRUE(until([&] { return isRed(); }));
     EXPECT_EQ(changed(first, screen(), {205, 120}, {445, 315}), 0);
     EXPECT_TRUE(runs());
+}
+
+TEST_F(ViewerGLTest, filesAreDropped) {
+    const Screen empty = screen();
+    open("");
+    ASSERT_TRUE(until([&] { return anyChange(empty, screen()) > 0.01; }));
+    Drop drop(display.name());
+    EXPECT_TRUE(drop.file(folder.write("pond.toml", pond).string()));
+    ASSERT_TRUE(completes()) << said();
+    first = screen();
+    EXPECT_TRUE(drop.file(folder.write("broken.glb", "glTF, but not really").string()));
+    EXPECT_TRUE(until([&] { return isRed(); }));
+    EXPECT_EQ(changed(first, screen(), {205, 120}, {445, 315}), 0);
+    EXPECT_TRUE(drop.file(folder.path().string())); // a folder
+    EXPECT_TRUE(runs());
+    display.send("mousemove 322 250 key Escape");
+    EXPECT_TRUE(until([&] { return !isRed(); }));
 }
 
 TEST_F(ViewerGLTest, aSavedSceneIsThePictureOfRender) {
     openPond();
     change("mousedown 1 mousemove 300 140 mousemove 260 120 mouseup 1", 0.3);
     change("key plus key plus click 4 key period key period", 0.3);
-    display.send("key p");
-    const fs::path picture = folder.path() / "pond-1.png", scene = folder.path() / "changed.toml";
-    EXPECT_TRUE(until([&] { return fs::exists(picture); }));
-    display.send("key ctrl+s sleep 0.5 key ctrl+a");
-    display.send(fmt::format("type --delay 1 {}", scene.string()));
-    display.send("sleep 0.5 key Return");
-    ASSERT_TRUE(until([&] { return fs::exists(scene); })) << said();
-
-    const io::FloatImage shown = io::readImage(picture);
-    const fs::path file = folder.path() / "rendered.png";
-    const Result result = run(fmt::format("render {} -o {} --size {}x{} --time {}", scene.string(),
-                                          file.string(), shown.width, shown.height, 2.0 / 30));
-    ASSERT_EQ(result.code, 0) << result.out;
-    const io::FloatImage rendered = io::readImage(file);
-    ASSERT_EQ(rendered.data.size(), shown.data.size());
-    long most = 0;
-    for (std::size_t i = 0; i < shown.data.size(); ++i)
-        most = std::max(most, std::lround(255 * std::abs(shown.data[i] - rendered.data[i])));
-    // Tone mapping in the GPU's logarithms and the CPU's may fall on either side of a step.
-    EXPECT_LE(most, 1);
-    std::ifstream stream(scene);
-    const std::string text{std::istreambuf_iterator<char>(stream), {}};
+    const std::string text = saved();
+    expectRendered(2.0 / 30);
     EXPECT_NE(text.find("[[receiver]]            # what it is about"), std::string::npos) << text;
+}
+
+TEST_F(ViewerGLTest, aHandleMovesTheBallAndUndoBringsItBack) {
+    const fs::path file = folder.write("pond.toml", pond);
+    open(file.string(), {"--select", "ball"});
+    ASSERT_TRUE(completes());
+    // Where the interface puts things at this size, with letters of 11 pixels.
+    const glm::dvec2 corner(202, 15), size(246, 303);
+    Scene scene = io::loadScene(file);
+    const viewer::Projection projection(scene.camera, scene.water, size);
+    const viewer::Gizmo gizmo(scene.receivers[1], glm::dvec3(0), viewer::Gizmo::Mode::Move, projection, 55);
+    const auto at = [&](double metres) {
+        const glm::ivec2 pixel = glm::round(corner + *projection.pixel(gizmo.at(1, metres)));
+        return fmt::format("mousemove {} {} ", pixel.x, pixel.y);
+    };
+    constexpr double from = 0.12, to = 0.27; // m over the middle
+    display.send(at(from));
+    // A handle under the mouse turns yellow.
+    const auto isYellow = [&] {
+        first = screen();
+        for (int y = pictureFrom.y; y < pictureTo.y; ++y)
+            for (int x = pictureFrom.x; x < pictureTo.x; ++x)
+                if (first.at(x, y) == glm::ivec3(255, 225, 90)) return true;
+        return false;
+    };
+    ASSERT_TRUE(until(isYellow));
+    change("mousedown 1 " + at(0.5 * (from + to)) + at(to) + "mouseup 1", 0.02);
+    saved();
+    expectRendered(0);
+    const Scene moved = io::loadScene(savedScene());
+    const glm::dvec3 way = moved.receivers[1].translation - scene.receivers[1].translation;
+    EXPECT_EQ(way.x, 0);
+    EXPECT_EQ(way.z, 0);
+    // A mouse stands on whole pixels, of 7 mm, which the height is foreshortened to by a half about.
+    EXPECT_NEAR(way.y, to - from, 0.02);
+    EXPECT_EQ(moved.receivers[0].translation, scene.receivers[0].translation);
+    EXPECT_EQ(moved.camera.position, scene.camera.position);
+    display.send(at(from) + "key ctrl+z");
+    EXPECT_TRUE(until([&] { return pictureChange(first, screen()) == 0; }));
+    change("key ctrl+y", 0.02);
+}
+
+TEST_F(ViewerGLTest, everyKindOfSceneIsSavedAsItIsShown) {
+    const std::string sea = "[water]\ngrid = [24, 24]\n[[water.wave]]\ntype = \"phillips\"\nmodes = 16\n"
+                            "amplitude = 0.01\n";
+    const std::string rain = "[water]\ngrid = [24, 24]\npreset = \"rain drops\"\nwave_scale = 3\n";
+    const std::string depths =
+        "[camera]\nposition = [0.9, -0.5, 1.6]\ntarget = [0, -0.3, 0]\n[godrays]\nmethod = \"photon-lines\"\n"
+        "grid = [20, 20]\nscale = 0.5\n[water]\ngrid = [24, 24]\ntype = \"coastal\"\npreset = \"breeze\"\n";
+    const std::string objects = std::string(pond).substr(std::string(pond).find("[[light]]"));
+    for (const auto& [water, method] : {std::pair(sea, "level-map-smart"), std::pair(rain, "photon-splat"),
+                                        std::pair(depths, "exact-beam")}) {
+        SCOPED_TRACE(water);
+        fs::remove(output());
+        open(folder.write("pond.toml", water + objects).string(), {"--method", method});
+        ASSERT_TRUE(completes());
+        display.send("mousemove 322 250");
+        change("click 4 key plus key period", 0.3);
+        saved();
+        expectRendered(1.0 / 30);
+        TearDown();
+    }
 }
 
 TEST_F(ViewerGLTest, boxPlanesAndBeamsAreDrawnOverThePicture) {
@@ -288,7 +383,7 @@ TEST_F(ViewerGLTest, shadersReloadAndABrokenOneIsTold) {
     write(green);
     EXPECT_TRUE(until(isGreen));
     write(green + "oops");
-    EXPECT_TRUE(until([&] { return screen().at(222, 30).r > 80 && screen().at(222, 30).g < 60; }));
+    EXPECT_TRUE(until([&] { return isRed(); }));
     EXPECT_TRUE(isGreen());
     std::ifstream whole(LIMPID_ROOT "/shaders/viewer/show.frag");
     write({std::istreambuf_iterator<char>(whole), {}});

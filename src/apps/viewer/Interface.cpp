@@ -34,6 +34,13 @@ void fileMenu(State& state) {
     ImGui::EndMenu();
 }
 
+void editMenu(State& state) {
+    if (!ImGui::BeginMenu("Edit", state.hasScene())) return;
+    if (ImGui::MenuItem("Undo", "Ctrl Z")) state.undo = true;
+    if (ImGui::MenuItem("Do it again", "Ctrl Y")) state.redo = true;
+    ImGui::EndMenu();
+}
+
 void sideItem(State& state, const char* label, const char* key, State::Side side) {
     if (ImGui::MenuItem(label, key, state.side == side))
         state.side = state.side == side ? State::Side::None : side;
@@ -59,6 +66,7 @@ void viewMenu(State& state) {
 void menuBar(State& state) {
     if (!ImGui::BeginMainMenuBar()) return;
     fileMenu(state);
+    editMenu(state);
     viewMenu(state);
     if (ImGui::BeginMenu("Help")) {
         ImGui::MenuItem("Keys", "?", &state.keys);

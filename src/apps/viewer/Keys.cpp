@@ -10,6 +10,7 @@
 #include <GLFW/glfw3.h>
 
 #include "apps/viewer/CameraControl.h"
+#include "apps/viewer/GizmoOverlay.h"
 #include "apps/viewer/Pick.h"
 
 namespace limpid::viewer {
@@ -22,6 +23,8 @@ constexpr KeyHelp help[] = {
     {"wheel", "zoom"},
     {"W A S D, Q E", "fly; Shift: faster"},
     {"click", "pick a receiver"},
+    {"T", "its handles: move, turn, scale (Shift: all axes alike)"},
+    {"Ctrl Z", "undo; Ctrl Y: do it again"},
     {"F", "frame the picked receiver, or the scene"},
     {"Home", "the scene's own camera"},
     {"Space", "play, pause"},
@@ -109,6 +112,7 @@ void takeSceneKeys(State& state) {
     if (pressed(GLFW_KEY_PERIOD, true)) state.step = 1;
     if (pressed(GLFW_KEY_COMMA, true)) state.step = -1;
     if (pressed(GLFW_KEY_0)) state.time = 0;
+    if (pressed(GLFW_KEY_T)) state.gizmo = static_cast<Gizmo::Mode>((int(state.gizmo) + 1) % 3);
     if (pressed(GLFW_KEY_F)) state.frameSelection = true;
     if (pressed(GLFW_KEY_HOME)) state.resetCamera = true;
     if (pressed(GLFW_KEY_1)) toggleSide(state, State::Side::Measure);
@@ -151,7 +155,10 @@ bool takeInput(State& state, const Area& picture, double seconds) {
     if (!typing && io.KeyCtrl && pressed(GLFW_KEY_O)) state.askOpen = true;
     if (!state.hasScene()) return false;
     if (!typing && io.KeyCtrl && pressed(GLFW_KEY_S)) state.askSave = true;
+    if (!typing && io.KeyCtrl && pressed(GLFW_KEY_Z, true)) (io.KeyShift ? state.redo : state.undo) = true;
+    if (!typing && io.KeyCtrl && pressed(GLFW_KEY_Y, true)) state.redo = true;
     if (!typing && !io.KeyCtrl) takeSceneKeys(state);
+    if (takeGizmo(state, picture)) return true;
     pickByClick(state, picture);
     return moveCamera(state, picture, seconds);
 }

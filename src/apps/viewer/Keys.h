@@ -18,7 +18,7 @@ struct Area {
 };
 
 /// What mouse and keys did since the last frame, to camera, time, selection and panels. `seconds` have passed
-/// since. Between ImGui::NewFrame and the panels. Returns whether the user moved the camera.
+/// since. Between ImGui::NewFrame and the panels. Returns whether the user moved camera or receiver.
 bool takeInput(State& state, const Area& picture, double seconds);
 
 } // namespace limpid::viewer

@@ -36,6 +36,11 @@ std::optional<glm::dvec2> Projection::pixel(const glm::dvec3& point) const {
     return 0.5 * _size + _focus / ahead * glm::dvec2(glm::dot(way, _right), -glm::dot(way, _up));
 }
 
+double Projection::pixelSize(const glm::dvec3& point) const {
+    const glm::dvec3 seen = seenAt(point);
+    return (glm::distance(_eye, seen) + glm::distance(seen, point)) / _focus;
+}
+
 Ray Projection::ray(const glm::dvec2& pixel) const {
     const glm::dvec2 at = (pixel - 0.5 * _size) / _focus;
     return {_eye, glm::normalize(at.x * _right - at.y * _up - _back)};

@@ -27,6 +27,8 @@ class Projection {
     /// Where the way from the camera to `point` crosses the flat surface; `point` itself on the camera's
     /// side.
     glm::dvec3 seenAt(const glm::dvec3& point) const;
+    /// Metres that a pixel is wide at `point`, about.
+    double pixelSize(const glm::dvec3& point) const;
 
   private:
     glm::dvec3 _eye, _right, _up, _back;

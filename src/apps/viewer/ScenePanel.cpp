@@ -17,10 +17,9 @@ namespace {
 constexpr Field power{.speed = 0.02, .min = 0, .max = 1e12};
 constexpr Field angle{.speed = 0.3, .min = -360, .max = 360, .format = "%.2f°"};
 
-/// A drag over the panel moves things by about the scene's size.
-double lengthSpeed(const Scene& scene) {
-    const Bounds bounds = worldBounds(scene);
-    return bounds.empty() ? 0.005 : 0.002 * std::max(glm::length(bounds.size()), 1e-6);
+/// Metres a pixel of a drag: one over the whole panel moves things by about the scene's size.
+double lengthSpeed(const State& state) {
+    return 0.002 * state.extent;
 }
 
 void timeSection(State& state) {
@@ -45,7 +44,7 @@ void cameraSection(State& state) {
     if (!section("Camera")) return;
     Camera& camera = state.scene.camera;
     const Camera before = camera;
-    const Field length{.speed = lengthSpeed(state.scene)};
+    const Field length{.speed = lengthSpeed(state)};
     vector("position", *camera.position, length, "m");
     vector("target", *camera.target, length, "m");
     if (*camera.position == *camera.target) camera = before;
@@ -73,7 +72,7 @@ void sunFields(Light& light) {
 }
 
 void lightFields(State& state, Light& light) {
-    const Field length{.speed = lengthSpeed(state.scene)};
+    const Field length{.speed = lengthSpeed(state)};
     if (light.type == LightType::Directional) {
         sunFields(light);
         vector("irradiance", light.irradiance, power, "W/m² on a plane facing it, RGB");
@@ -103,8 +102,20 @@ void lightSection(State& state) {
     if (state.scene.lights.empty()) ImGui::TextDisabled("none");
 }
 
+void gizmoChoice(State& state) {
+    int mode = int(state.gizmo);
+    const char* const names[] = {"move", "turn", "scale"};
+    for (int i = 0; i < 3; ++i) {
+        if (i > 0) ImGui::SameLine();
+        ImGui::RadioButton(names[i], &mode, i);
+        hint("what the handles in the picture do (T)");
+    }
+    state.gizmo = static_cast<Gizmo::Mode>(mode);
+}
+
 void receiverFields(State& state, Receiver& receiver) {
-    const Field length{.speed = lengthSpeed(state.scene)};
+    gizmoChoice(state);
+    const Field length{.speed = lengthSpeed(state)};
     vector("translation", receiver.translation, length, "m");
     // Angles about x, y and z. The turn is kept as a quaternion and shown as angles near by.
     glm::dvec3 angles = glm::degrees(glm::eulerAngles(receiver.rotation)) + 0.0; // no -0
@@ -175,8 +186,8 @@ void scenePanel(State& state) {
     receiverSection(state);
     methodSection(state);
     lightSection(state);
-    waterSection(state, lengthSpeed(state.scene));
-    wavesSection(state, lengthSpeed(state.scene));
+    waterSection(state, lengthSpeed(state));
+    wavesSection(state, lengthSpeed(state));
     cameraSection(state);
     lookSection(state);
     ImGui::PopItemWidth();

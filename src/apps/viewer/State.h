@@ -8,19 +8,25 @@
 #include <vector>
 
 #include "apps/viewer/Display.h"
+#include "apps/viewer/Gizmo.h"
 #include "scene/Scene.h"
 
 namespace limpid::viewer {
 
 /// What panels and keys change, as plain data; the window shows it.
 struct State {
-    std::filesystem::path file; ///< empty without a scene
-    Scene loaded;               ///< as the file has it, choices of the engine filled in
-    Scene scene;                ///< as it is now
-    double time = 0;            ///< s
+    std::filesystem::path file;      ///< empty without a scene
+    Scene loaded;                    ///< as the file has it, choices of the engine filled in
+    Scene scene;                     ///< as it is now
+    double extent = 1;               ///< m, from corner to corner of what was loaded
+    std::vector<glm::dvec3> middles; ///< of each receiver's mesh, in its own space
+    double time = 0;                 ///< s
     bool playing = false;
     std::optional<int> selected; ///< receiver
-    int light = 0;               ///< that maps and beams are shown of
+    Gizmo::Mode gizmo = Gizmo::Mode::Move;
+    std::optional<int> handle;     ///< of the gizmo, that the mouse is at or has
+    std::optional<GizmoDrag> drag; ///< of that handle
+    int light = 0;                 ///< that maps and beams are shown of
 
     bool panels = true;                                                       ///< all of the interface
     bool keys = false;                                                        ///< what `?` shows
@@ -43,6 +49,7 @@ struct State {
     bool frameSelection = false;
     bool resetCamera = false;
     int step = 0; ///< frames of time
+    bool undo = false, redo = false;
     bool leave = false;
 
     bool recording = false;
@@ -53,6 +60,7 @@ struct State {
 
 /// What the measure panel shows: the last pictures' times by pass, ms, oldest first.
 struct Measured {
+    using Clock = std::chrono::steady_clock;
     static constexpr std::size_t kept = 120;
     struct Frame {
         std::vector<std::pair<std::string, double>> passes;
@@ -61,15 +69,10 @@ struct Measured {
     std::deque<Clock::time_point> shown; ///< when the last second's pictures came
     std::vector<double> answersMs;       ///< from taking a change of the user's to its picture in the window
     double firstPictureMs = 0;           ///< from the start of the program
-    using Clock = std::chrono::steady_clock;
 
     void add(const std::vector<std::pair<std::string, double>>& passes) {
         frames.push_back({passes});
         if (frames.size() > kept) frames.pop_front();
-    }
-};
-
-} // namespace limpid::viewer
         shown.push_back(Clock::now());
     }
     /// Pictures in the last second.
@@ -77,3 +80,7 @@ struct Measured {
         while (!shown.empty() && Clock::now() - shown.front() > std::chrono::seconds(1))
             shown.pop_front();
         return int(shown.size());
+    }
+};
+
+} // namespace limpid::viewer

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include "apps/viewer/Overlay.h"
 #include "apps/viewer/Pick.h"
 #include "apps/viewer/Widgets.h"
 #include "engine/Readback.h"
@@ -18,55 +19,33 @@ constexpr ImU32 boxColor = IM_COL32(255, 205, 90, 230), keptColor = IM_COL32(110
                 droppedColor = IM_COL32(255, 90, 90, 70), beamColor = IM_COL32(255, 240, 170, 170);
 constexpr int mostBeams = 60;
 
-/// A straight line of the world, which looks bent where water refracts it.
-void drawLine(const Projection& projection, const glm::dvec3& a, const glm::dvec3& b, const Area& picture,
-              ImU32 color) {
-    constexpr int pieces = 12;
-    ImDrawList* list = ImGui::GetBackgroundDrawList();
-    std::optional<glm::dvec2> last;
-    for (int i = 0; i <= pieces; ++i) {
-        const auto pixel = projection.pixel(glm::mix(a, b, double(i) / pieces));
-        // A point next to the camera is shown endlessly far away.
-        const bool far = pixel && glm::length(*pixel) > 1e5;
-        if (last && pixel && !far) {
-            const glm::dvec2 from = *last + glm::dvec2(picture.corner),
-                             to = *pixel + glm::dvec2(picture.corner);
-            list->AddLine(ImVec2(float(from.x), float(from.y)), ImVec2(float(to.x), float(to.y)), color,
-                          1.5f);
-        }
-        last = far ? std::nullopt : pixel;
-    }
-}
-
-void drawPlane(const Projection& projection, const OrientedBox& box, double depth, const Area& picture,
-               ImU32 color) {
+void drawPlane(const Overlay& overlay, const OrientedBox& box, double depth, ImU32 color) {
     const glm::dvec2 corners[] = {{0, 0}, {box.extent.x, 0}, {box.extent.x, box.extent.y}, {0, box.extent.y}};
     for (int i = 0; i < 4; ++i)
-        drawLine(projection, box.point({corners[i], depth}), box.point({corners[(i + 1) % 4], depth}),
-                 picture, color);
+        overlay.line(box.point({corners[i], depth}), box.point({corners[(i + 1) % 4], depth}), color);
 }
 
-void drawBox(const Projection& projection, const OrientedBox& box, const Area& picture) {
-    drawPlane(projection, box, 0, picture, boxColor);
-    drawPlane(projection, box, box.extent.z, picture, boxColor);
+void drawBox(const Overlay& overlay, const OrientedBox& box) {
+    drawPlane(overlay, box, 0, boxColor);
+    drawPlane(overlay, box, box.extent.z, boxColor);
     for (const glm::dvec2 corner : {glm::dvec2(0, 0), glm::dvec2(1, 0), glm::dvec2(1, 1), glm::dvec2(0, 1)}) {
         const glm::dvec2 at = corner * glm::dvec2(box.extent);
-        drawLine(projection, box.point({at, 0}), box.point({at, box.extent.z}), picture, boxColor);
+        overlay.line(box.point({at, 0}), box.point({at, box.extent.z}), boxColor);
     }
 }
 
 /// Kept planes bright, dropped ones red.
-void drawPlanes(const Projection& projection, const ReceiverMaps& maps, const Area& picture) {
+void drawPlanes(const Overlay& overlay, const ReceiverMaps& maps) {
     const auto& kept = maps.level.planes;
-    const double height = maps.level.frame.box.extent.z;
-    for (const ReferencePlane& plane : uniformPlanes(height, maps.level.requestedPlanes)) {
+    const OrientedBox& box = maps.level.frame.box;
+    for (const ReferencePlane& plane : uniformPlanes(box.extent.z, maps.level.requestedPlanes)) {
         const bool drawn = std::any_of(kept.begin(), kept.end(), [&](const ReferencePlane& k) {
-            return std::abs(k.depth - plane.depth) <= 1e-9 * height;
+            return std::abs(k.depth - plane.depth) <= 1e-9 * box.extent.z;
         });
-        if (!drawn) drawPlane(projection, maps.level.frame.box, plane.depth, picture, droppedColor);
+        if (!drawn) drawPlane(overlay, box, plane.depth, droppedColor);
     }
     for (const ReferencePlane& plane : kept)
-        drawPlane(projection, maps.level.frame.box, plane.depth, picture, keptColor);
+        drawPlane(overlay, box, plane.depth, keptColor);
 }
 
 /// The side of a square image that fits twice into the panel.
@@ -158,20 +137,16 @@ void Understanding::traceBeams(const State& state, Stage& stage) {
 
 void Understanding::overlay(const State& state, Stage& stage, const Area& picture) const {
     if (!stage.hasScene() || !stage.display()) return;
-    const Projection projection(state.scene.camera, state.scene.water, glm::dvec2(picture.size));
-    ImGui::GetBackgroundDrawList()->PushClipRect(
-        ImVec2(float(picture.corner.x), float(picture.corner.y)),
-        ImVec2(float(picture.corner.x + picture.size.x), float(picture.corner.y + picture.size.y)));
+    const Overlay lines(state.scene, picture);
     for (const ReceiverMaps& maps : stage.engine().maps()) {
-        if (state.selected ? maps.receiver != *state.selected : maps.level.facing > 0) continue;
+        if (state.selected && maps.receiver != *state.selected) continue;
         if (maps.light != state.light || maps.level.facing > 0 || !maps.caustics.irradiance.id()) continue;
-        if (state.boxes) drawBox(projection, maps.level.frame.box, picture);
-        if (state.planes && state.selected) drawPlanes(projection, maps, picture);
+        if (state.boxes) drawBox(lines, maps.level.frame.box);
+        if (state.planes && state.selected) drawPlanes(lines, maps);
     }
     if (state.beams)
         for (const auto& beam : _beams)
-            drawLine(projection, beam.front(), beam.back(), picture, beamColor);
-    ImGui::GetBackgroundDrawList()->PopClipRect();
+            lines.line(beam.front(), beam.back(), beamColor);
 }
 
 void Understanding::mapChoice(State& state, Stage& stage) {

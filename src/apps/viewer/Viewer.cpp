@@ -9,6 +9,8 @@
 
 #include "apps/viewer/CameraControl.h"
 #include "apps/viewer/ComparePanel.h"
+#include "apps/viewer/GizmoOverlay.h"
+#include "apps/viewer/History.h"
 #include "apps/viewer/Interface.h"
 #include "apps/viewer/Saving.h"
 #include "apps/viewer/ShaderWatch.h"
@@ -95,6 +97,7 @@ class Viewer {
     Understanding _understanding{_context};
     std::optional<io::SceneDocument> _document;
     std::optional<Recorder> _recorder;
+    History _history;
     State _state;
     Measured _measured;
     Clock::time_point _last = Clock::now();
@@ -121,8 +124,14 @@ void Viewer::load(const std::filesystem::path& file, const std::function<io::Sce
         _state.recording = false;
         _state.loaded = scene;
         _state.scene = std::move(scene);
+        _state.extent = std::max(glm::length(worldBounds(_state.scene).size()), 1e-6);
+        _state.middles.clear();
+        for (const Receiver& receiver : _state.scene.receivers)
+            _state.middles.push_back(meshMiddle(*receiver.mesh));
+        _history.begin(_state.scene);
         _state.file = file;
         _state.selected.reset();
+        _state.drag.reset();
         _state.light = 0;
         _state.message.clear();
         _state.notice.clear();
@@ -145,6 +154,7 @@ void Viewer::select(const std::string& name) {
 
 /// How long events may be waited for.
 double Viewer::waitingTime() const {
+    if (_window.hidden()) return 0.5;
     if (_lively > 0 || _worked || _state.playing || _recorder || !_options.screenshot.empty()) return 0;
     return _stage.rests() || !_state.hasScene() ? 0.5 : 0.02;
 }
@@ -154,7 +164,6 @@ void Viewer::frameSelection() {
     if (_state.selected) bounds = worldBounds(_state.scene.receivers[std::size_t(*_state.selected)]);
     if (!_state.selected) bounds = worldBounds(_state.scene);
     viewer::frame(_state.scene.camera, bounds, _state.scene.water);
-    if (_window.hidden()) return 0.5;
 }
 
 void Viewer::doRequests() {
@@ -168,6 +177,9 @@ void Viewer::doRequests() {
         _state.scene.camera = _state.loaded.camera;
         _state.scene.camera.exposure = exposure;
     }
+    if (std::exchange(_state.undo, false)) _history.undo(_state.scene);
+    if (std::exchange(_state.redo, false)) _history.redo(_state.scene);
+    _history.follow(_state.scene, ImGui::IsAnyMouseDown() || ImGui::IsAnyItemActive());
     _window.setFullscreen(_state.fullscreen);
     try {
         saveWhatIsAsked();
@@ -288,6 +300,7 @@ void Viewer::frame() {
     drawPicture(_stage, layout);
     _understanding.update(_state, _stage, _better);
     _understanding.overlay(_state, _stage, layout.picture);
+    drawGizmo(_state, layout.picture);
     compareOverlay(_state, layout.picture);
     _window.endInterface([&] { takeScreenshot(); });
     looked(taken);
