@@ -107,6 +107,7 @@ void Engine::setLook(const Scene& scene) {
     _scene.camera = scene.camera;
     _scene.skyRadiance = scene.skyRadiance;
     _scene.ambientRadiance = scene.ambientRadiance;
+    _scene.godrays = scene.godrays;
     frameCamera(_scene);
 }
 

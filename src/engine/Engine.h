@@ -80,8 +80,8 @@ class Engine {
     /// choices of the scene (camera, extent of the water) are made here. Receivers that are those of the
     /// scene before stay on the GPU. Throws InputError, and then keeps the scene before.
     void setScene(Scene scene);
-    /// Camera and radiance of sky and surroundings of another scene that has all else in common with this
-    /// one. No caustic is made anew.
+    /// Camera, godrays, and radiance of sky and surroundings of another scene that has all else in common
+    /// with this one. No caustic is made anew.
     void setLook(const Scene& scene);
     const Scene& scene() const { return _scene; }
     /// Throws InputError for what setScene would not take.

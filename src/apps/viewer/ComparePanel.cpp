@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
-#include "apps/viewer/ScenePanel.h"
+#include "apps/viewer/MethodPanel.h"
 #include "apps/viewer/Widgets.h"
 
 namespace limpid::viewer {

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "apps/viewer/MethodPanel.h"
 #include "apps/viewer/WaterPanel.h"
 #include "apps/viewer/Widgets.h"
 
@@ -141,27 +142,6 @@ void receiverSection(State& state) {
     if (!state.selected) ImGui::TextDisabled("click one, here or in the picture");
 }
 
-void methodSection(State& state) {
-    if (!section("Method", true)) return;
-    CausticsSettings& caustics = state.scene.caustics;
-    methodCombo("method", caustics.method);
-    wholeNumber("map size", caustics.mapSize, 16, 8192, "texels on the longer side of a map");
-    if (caustics.method == Method::ExactBeam) return;
-    if (hasFills(caustics.method)) {
-        int fill = int(caustics.fill);
-        if (ImGui::Combo("fill", &fill, "drawn\0one pass\0")) caustics.fill = static_cast<Fill>(fill);
-        hint("planes drawn one after another, or beams walked in one pass");
-    }
-    wholeNumber("planes", caustics.planes, 1, 512, "reference planes of a box, before slicing drops any");
-    if (caustics.method != Method::LevelMapSmart) return;
-    int slicing = int(caustics.slicing);
-    if (ImGui::Combo("slicing", &slicing, "automatic\0levels (thesis)\0"))
-        caustics.slicing = static_cast<Slicing>(slicing);
-    if (caustics.slicing != Slicing::Levels) return;
-    wholeNumber("depth levels", caustics.depthLevels, 1, 1024);
-    number("threshold", caustics.threshold, {.speed = 0.0005, .min = 1e-4, .max = 1}, "of the box's height");
-}
-
 void lookSection(State& state) {
     if (!section("Light around and exposure")) return;
     number("exposure", state.scene.camera.exposure,
@@ -173,13 +153,6 @@ void lookSection(State& state) {
 
 } // namespace
 
-void methodCombo(const char* label, Method& method) {
-    if (!ImGui::BeginCombo(label, std::string(methodName(method)).c_str())) return;
-    for (const Method each : allMethods())
-        if (ImGui::Selectable(std::string(methodName(each)).c_str(), each == method)) method = each;
-    ImGui::EndCombo();
-}
-
 void scenePanel(State& state) {
     ImGui::PushItemWidth(-0.37f * ImGui::GetContentRegionAvail().x);
     timeSection(state);
@@ -188,6 +161,7 @@ void scenePanel(State& state) {
     lightSection(state);
     waterSection(state, lengthSpeed(state));
     wavesSection(state, lengthSpeed(state));
+    godraysSection(state);
     cameraSection(state);
     lookSection(state);
     ImGui::PopItemWidth();

@@ -54,6 +54,7 @@ bool sameLight(Scene a, const Scene& b) {
     a.camera = b.camera;
     a.skyRadiance = b.skyRadiance;
     a.ambientRadiance = b.ambientRadiance;
+    a.godrays = b.godrays;
     return a == b;
 }
 

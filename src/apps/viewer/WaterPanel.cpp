@@ -6,7 +6,9 @@
 #include <fmt/format.h>
 
 #include "apps/viewer/Widgets.h"
+#include "io/WaterBodies.h"
 #include "io/WaterPresets.h"
+#include "scene/Sea.h"
 
 namespace limpid::viewer {
 
@@ -14,7 +16,7 @@ using namespace widgets;
 
 namespace {
 
-constexpr Field perMetre{.speed = 0.002, .min = 0, .max = 1e12};
+constexpr Field perMetre{.speed = 0.002, .min = 0, .max = 1e12, .format = "%.3g"};
 
 void patchFields(Water& water, double speed) {
     bool own = water.size.has_value();
@@ -27,34 +29,105 @@ void patchFields(Water& water, double speed) {
     if (water.center) vector("center", *water.center, {.speed = speed}, "x and z, m");
 }
 
-void typeCombo(Wave& wave) {
-    if (isTexture(wave.type)) {
-        const bool map = wave.type == WaveType::HeightMap;
-        ImGui::TextDisabled("%s, from the scene's file", map ? "a height map" : "a sea by its spectrum");
-        return;
+/// Named waters; what a field changes is none of them.
+void bodyCombo(Water& water) {
+    const auto body = io::waterBodyOf(water);
+    const std::string shown(body ? io::waterBodies[*body] : "its own");
+    if (ImGui::BeginCombo("type", shown.c_str())) {
+        for (std::size_t i = 0; i < std::size(io::waterBodies); ++i)
+            if (ImGui::Selectable(std::string(io::waterBodies[i]).c_str(), body == i))
+                io::setWaterBody(i, water);
+        ImGui::EndCombo();
     }
-    int type = int(wave.type);
-    if (ImGui::Combo("type", &type, "cosine\0circular\0noise\0")) wave.type = static_cast<WaveType>(type);
+    hint("absorption, scattering and anisotropy from published tables");
 }
 
-void waveFields(Wave& wave, double speed) {
-    typeCombo(wave);
+/// How many of the waves a shader has to bind a texture for.
+long textureCount(const std::vector<Wave>& waves) {
+    return std::count_if(waves.begin(), waves.end(), [](const Wave& wave) { return isTexture(wave.type); });
+}
+
+void changeType(Wave& wave, WaveType type) {
+    const double amplitude = wave.amplitude;
+    if (isTexture(wave.type) || isTexture(type)) wave = {};
+    wave.amplitude = amplitude;
+    wave.type = type;
+    if (type == WaveType::Phillips) raiseSea(wave, {});
+}
+
+/// A height map stays one: its pictures are in the scene's file.
+void typeCombo(Wave& wave, bool roomForTextures) {
+    if (wave.type == WaveType::HeightMap) {
+        ImGui::TextDisabled("a height map, from the scene's file");
+        return;
+    }
+    if (!ImGui::BeginCombo("type", waveTypeNames[std::size_t(wave.type)].data())) return;
+    for (const WaveType type : {WaveType::Cosine, WaveType::Circular, WaveType::Noise, WaveType::Phillips})
+        if (!isTexture(type) || roomForTextures || type == wave.type)
+            if (ImGui::Selectable(waveTypeNames[std::size_t(type)].data(), type == wave.type) &&
+                type != wave.type)
+                changeType(wave, type);
+    ImGui::EndCombo();
+}
+
+/// The angle of a direction, and back; its length stays.
+bool headingField(glm::dvec2& direction, const char* tip) {
+    double heading = glm::degrees(std::atan2(direction.y, direction.x));
+    if (!number("heading", heading, {.speed = 0.3, .min = -360, .max = 360, .format = "%.1f°"}, tip))
+        return false;
+    const double angle = glm::radians(heading), length = glm::length(direction);
+    direction = length * glm::dvec2(std::cos(angle), std::sin(angle));
+    return true;
+}
+
+bool seedField(std::uint32_t& value) {
+    int seed = int(std::min(value, 0x7FFFFFFFu));
+    if (!wholeNumber("seed", seed, 0, 0x7FFFFFFF)) return false;
+    value = std::uint32_t(seed);
+    return true;
+}
+
+bool modesField(int& modes) {
+    int exponent = int(std::lround(std::log2(modes)));
+    const std::string shown = std::to_string(modes);
+    if (!ImGui::SliderInt("modes", &exponent, 2, 9, shown.c_str(), ImGuiSliderFlags_NoInput)) return false;
+    modes = 1 << exponent;
+    return true;
+}
+
+/// What raises a sea. A wind that raises nothing changes nothing.
+void windFields(Wave& wave) {
+    Wind wind = windOf(wave);
+    double speed = glm::length(wind.velocity);
+    const glm::dvec2 direction = wind.velocity / speed;
+    bool changed = number("wind", speed, {.speed = 0.02, .min = 0.1, .max = 100}, "m/s");
+    wind.velocity = speed * direction;
+    changed |= headingField(wind.velocity, "where the wind goes, from x towards z");
+    changed |= vector("tile", wind.tile, {.speed = 0.02, .min = 0.01, .max = 1e6},
+                      "m along x and z; the waves repeat after it");
+    changed |= modesField(wind.modes);
+    hint("waves along a side of the tile");
+    changed |= number("shortest", wind.shortest, {.speed = 0.002, .min = 0, .max = 1e6},
+                      "m; shorter waves die away; 0: as tile and modes have it");
+    changed |= seedField(wind.seed);
+    if (changed) raiseSea(wave, wind);
+}
+
+void waveFields(Wave& wave, double speed, bool roomForTextures) {
+    typeCombo(wave, roomForTextures);
     const double fine = std::max(0.005 * std::abs(wave.amplitude), 1e-6);
-    number("amplitude", wave.amplitude, {.speed = fine}, "m, half of crest to trough");
+    number("amplitude", wave.amplitude, {.speed = fine},
+           wave.type == WaveType::Phillips ? "m, root mean square of the height"
+                                           : "m, half of crest to trough");
+    if (wave.type == WaveType::Phillips) windFields(wave);
     if (isTexture(wave.type)) return;
     number("wavelength", wave.wavelength, {.speed = 0.005 * wave.wavelength, .min = 1e-4}, "m");
     number("speed", wave.speed, {.speed = 0.005}, "m/s");
-    if (wave.type == WaveType::Cosine) {
-        double heading = glm::degrees(std::atan2(wave.direction.y, wave.direction.x));
-        if (number("heading", heading, {.speed = 0.3, .min = -360, .max = 360, .format = "%.1f°"},
-                   "from x towards z"))
-            wave.direction = {std::cos(glm::radians(heading)), std::sin(glm::radians(heading))};
-    }
+    if (wave.type == WaveType::Cosine) headingField(wave.direction, "from x towards z");
     if (wave.type == WaveType::Circular) vector("center", wave.center, {.speed = speed}, "x and z, m");
     if (wave.type == WaveType::Noise) {
         wholeNumber("octaves", wave.octaves, 1, 12);
-        int seed = int(std::min(wave.seed, 0x7FFFFFFFu));
-        if (wholeNumber("seed", seed, 0, 0x7FFFFFFF)) wave.seed = std::uint32_t(seed);
+        seedField(wave.seed);
     } else {
         number("phase", wave.phase, {.speed = 0.5, .format = "%.1f°"});
     }
@@ -85,10 +158,12 @@ void waterSection(State& state, double speed) {
     Water& water = state.scene.water;
     number("level", water.level, {.speed = speed}, "y of the mean surface, m");
     number("refraction", water.ior, {.speed = 0.002, .min = 1, .max = 4}, "index of refraction");
+    bodyCombo(water);
     vector("absorption", water.absorption, perMetre, "1/m, RGB");
     vector("scattering", water.scattering, perMetre, "1/m, RGB");
-    ImGui::DragInt2("grid", &water.grid.x, 1, 8, 2048, "%d", ImGuiSliderFlags_AlwaysClamp);
-    hint("quads along x and z");
+    number("anisotropy", water.anisotropy, {.speed = 0.005, .min = -0.99, .max = 0.99},
+           "mean cosine of the angle that scattering turns light by");
+    wholeNumbers("grid", water.grid, 8, 2048, "quads along x and z");
     patchFields(water, speed);
     ImGui::PopID();
 }
@@ -96,13 +171,14 @@ void waterSection(State& state, double speed) {
 void wavesSection(State& state, double speed) {
     if (!section("Waves")) return;
     std::vector<Wave>& waves = state.scene.water.waves;
+    const bool roomForTextures = textureCount(waves) < maxHeightMaps;
     std::optional<std::size_t> removed;
     for (std::size_t i = 0; i < waves.size(); ++i) {
         ImGui::PushID(int(i));
         const std::string label = fmt::format("{}: {}, {:.3g} m###wave", i,
                                               waveTypeNames[std::size_t(waves[i].type)], waves[i].amplitude);
         if (ImGui::TreeNode(label.c_str())) {
-            waveFields(waves[i], speed);
+            waveFields(waves[i], speed, roomForTextures);
             if (ImGui::SmallButton("Remove")) removed = i;
             ImGui::TreePop();
         }

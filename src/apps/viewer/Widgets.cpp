@@ -24,6 +24,13 @@ bool wholeNumber(const char* label, int& value, int min, int max, const char* ti
     return changed;
 }
 
+bool wholeNumbers(const char* label, glm::ivec2& values, int min, int max, const char* tip) {
+    const bool changed =
+        ImGui::DragInt2(label, &values.x, 0.5f, min, max, "%d", ImGuiSliderFlags_AlwaysClamp);
+    hint(tip);
+    return changed;
+}
+
 bool section(const char* label, bool open) {
     return ImGui::CollapsingHeader(label, open ? ImGuiTreeNodeFlags_DefaultOpen : 0);
 }

@@ -20,6 +20,7 @@ void hint(const char* text);
 bool number(const char* label, double& value, const Field& field, const char* tip = nullptr);
 bool numbers(const char* label, double* values, int count, const Field& field, const char* tip = nullptr);
 bool wholeNumber(const char* label, int& value, int min, int max, const char* tip = nullptr);
+bool wholeNumbers(const char* label, glm::ivec2& values, int min, int max, const char* tip = nullptr);
 
 template <int N>
 bool vector(const char* label, glm::vec<N, double>& value, const Field& field, const char* tip = nullptr) {

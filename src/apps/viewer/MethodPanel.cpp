@@ -1,0 +1,94 @@
+#include "apps/viewer/MethodPanel.h"
+
+#include "apps/viewer/Widgets.h"
+
+namespace limpid::viewer {
+
+using namespace widgets;
+
+namespace {
+
+void filterFields(int& taps, double& radius, const char* unit) {
+    wholeNumber("filter taps", taps, 0, 32, "0: no filter");
+    number("filter radius", radius, {.speed = 0.02, .min = 0, .max = 64}, unit);
+}
+
+void photonFields(CausticsSettings& caustics) {
+    wholeNumbers("photons", caustics.photonGrid, 1, 4096, "cells over the water that lights a receiver");
+    wholeNumber("subdivision", caustics.photonSubdivision, 1, 16, "photons along a side of a cell");
+    glm::dvec2 size = caustics.splatSize;
+    if (vector("splats", size, {.speed = 0.1, .min = 1, .max = 256},
+               "texels at the most and at the least water") &&
+        size.x <= size.y)
+        caustics.splatSize = size;
+    filterFields(caustics.filterTaps, caustics.filterRadius, "texels");
+}
+
+void planeFields(CausticsSettings& caustics) {
+    if (hasFills(caustics.method)) {
+        int fill = int(caustics.fill);
+        if (ImGui::Combo("fill", &fill, "drawn\0one pass\0")) caustics.fill = static_cast<Fill>(fill);
+        hint("planes drawn one after another, or beams walked in one pass");
+    }
+    wholeNumber("planes", caustics.planes, 1, 512, "reference planes of a box, before slicing drops any");
+    if (caustics.method != Method::LevelMapSmart) return;
+    int slicing = int(caustics.slicing);
+    if (ImGui::Combo("slicing", &slicing, "automatic\0levels (thesis)\0"))
+        caustics.slicing = static_cast<Slicing>(slicing);
+    if (caustics.slicing != Slicing::Levels) return;
+    wholeNumber("depth levels", caustics.depthLevels, 1, 1024);
+    number("threshold", caustics.threshold, {.speed = 0.0005, .min = 1e-4, .max = 1}, "of the box's height");
+}
+
+/// Why none are seen, if so.
+void godraysRemark(const Scene& scene) {
+    if (scene.water.scattering == glm::dvec3(0))
+        ImGui::TextDisabled("the water scatters nothing: choose its type");
+    else if (scene.camera.position->y >= scene.water.level)
+        ImGui::TextDisabled("seen by a camera under water only");
+}
+
+} // namespace
+
+void methodCombo(const char* label, Method& method) {
+    if (!ImGui::BeginCombo(label, std::string(methodName(method)).c_str())) return;
+    for (const Method each : allMethods())
+        if (ImGui::Selectable(std::string(methodName(each)).c_str(), each == method)) method = each;
+    ImGui::EndCombo();
+}
+
+void methodSection(State& state) {
+    if (!section("Method", true)) return;
+    CausticsSettings& caustics = state.scene.caustics;
+    methodCombo("method", caustics.method);
+    wholeNumber("map size", caustics.mapSize, 16, 8192, "texels on the longer side of a map");
+    if (caustics.method == Method::PhotonSplat)
+        photonFields(caustics);
+    else if (caustics.method != Method::ExactBeam)
+        planeFields(caustics);
+}
+
+void godraysSection(State& state) {
+    if (!section("Godrays")) return;
+    ImGui::PushID("godrays");
+    GodraySettings& godrays = state.scene.godrays;
+    int method = int(godrays.method);
+    if (ImGui::Combo("method", &method, "none\0photon lines\0"))
+        godrays.method = static_cast<GodrayMethod>(method);
+    hint("how light is drawn that the water scatters");
+    if (godrays.method != GodrayMethod::None) {
+        godraysRemark(state.scene);
+        int phase = int(godrays.phase);
+        if (ImGui::Combo("phase", &phase, "Henyey-Greenstein\0Schlick\0"))
+            godrays.phase = static_cast<Phase>(phase);
+        wholeNumbers("grid", godrays.grid, 1, 2048, "cells over the water");
+        wholeNumber("subdivision", godrays.subdivision, 1, 16, "lines along a side of a cell");
+        number("scale", godrays.scale, {.speed = 0.005, .min = 0.01, .max = 1},
+               "sides of what they are drawn into, of the picture's");
+        number("line width", godrays.lineWidth, {.speed = 0.02, .min = 0.5, .max = 256}, "pixels of that");
+        filterFields(godrays.filterTaps, godrays.filterRadius, "pixels of that");
+    }
+    ImGui::PopID();
+}
+
+} // namespace limpid::viewer
