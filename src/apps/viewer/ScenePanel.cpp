@@ -77,6 +77,8 @@ void lightFields(State& state, Light& light) {
     if (light.type == LightType::Directional) {
         sunFields(light);
         vector("irradiance", light.irradiance, power, "W/m² on a plane facing it, RGB");
+        number("disc", light.angularDiameter, {.speed = 0.005, .min = 0, .max = 10, .format = "%.2f°"},
+               "angular diameter; the sun has 0.53");
         return;
     }
     vector("position", light.position, length, "m");
