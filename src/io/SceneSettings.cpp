@@ -123,6 +123,8 @@ void addCaustics(Table table, const CausticsSettings& caustics) {
     constexpr std::string_view slicings[] = {"automatic", "levels"};
     table.add("method", methodName(caustics.method));
     table.add("map_size", caustics.mapSize);
+    table.add("texels_per_pixel", caustics.texelsPerPixel);
+    table.add("refresh", caustics.refresh);
     table.add("planes", caustics.planes);
     table.add("fill", fillName(caustics.fill));
     table.add("slicing", slicings[std::size_t(caustics.slicing)]);

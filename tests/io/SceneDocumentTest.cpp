@@ -232,6 +232,8 @@ TEST(SceneDocument, splatsAndGodraysAreWritten) {
     const SceneDocument document(folder.write("pool.toml", pool));
     Scene changed = document.scene();
     changed.caustics.method = Method::PhotonSplat;
+    changed.caustics.texelsPerPixel = 1.5;
+    changed.caustics.refresh = 30;
     changed.caustics.photonGrid = {30, 40};
     changed.caustics.photonSubdivision = 3;
     changed.caustics.splatSize = {4, 9.5};

@@ -62,6 +62,10 @@ void methodSection(State& state) {
     CausticsSettings& caustics = state.scene.caustics;
     methodCombo("method", caustics.method);
     wholeNumber("map size", caustics.mapSize, 16, 8192, "texels on the longer side of a map");
+    number("per pixel", caustics.texelsPerPixel, {.speed = 0.01, .min = 0, .max = 64},
+           "texels of receivers that are small in the picture, about; 0: as many as elsewhere");
+    number("refresh", caustics.refresh, {.speed = 0.2, .min = 0, .max = 1000},
+           "caustics a second of the scene's time, at most; 0: as many as pictures");
     if (caustics.method == Method::PhotonSplat)
         photonFields(caustics);
     else if (caustics.method != Method::ExactBeam)
