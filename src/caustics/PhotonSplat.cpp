@@ -29,17 +29,11 @@ constexpr glm::ivec2 mapGroupSize{8, 8};
 /// As for exact beams: rounding is lost in a float.
 constexpr double stepsPerTexel = 1 << 22;
 
-glm::vec4 rectOf(const WaterPatch& patch, const glm::dvec3& origin) {
-    return glm::vec4(patch.min() - glm::dvec2(origin.x, origin.z), patch.size);
-}
-
 /// a, b, least and greatest size of the splats of a receiver, texels.
 glm::vec4 splatOf(const PhotonSplat::Inputs& inputs) {
     double nearest = 1e300, farthest = 0;
     for (int i = 0; i < 8; ++i) {
-        const glm::dvec3 corner(i & 1 ? inputs.wet.max.x : inputs.wet.min.x,
-                                i & 2 ? inputs.wet.max.y : inputs.wet.min.y,
-                                i & 4 ? inputs.wet.max.z : inputs.wet.min.z);
+        const glm::dvec3 corner = inputs.wet.corner(i);
         const double metres = glm::distance(corner, entryPoint(inputs.light, inputs.scene.water, corner));
         nearest = std::min(nearest, metres);
         farthest = std::max(farthest, metres);

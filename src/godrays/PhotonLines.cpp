@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gl/NearIsOne.h"
+#include "water/FlatWater.h"
+
 namespace limpid {
 
 namespace {
@@ -20,28 +23,8 @@ struct LineFrameData {
     glm::vec4 cameraPosition, target, lineWidth, strength, scattering, extinction;
 };
 
-/// While it lives, depth runs from 1 near by to 0 far away.
-struct NearIsOne {
-    NearIsOne() {
-        glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
-        glDepthFunc(GL_GREATER);
-        glEnable(GL_DEPTH_TEST);
-    }
-    ~NearIsOne() {
-        glDisable(GL_DEPTH_TEST);
-        glDepthFunc(GL_LESS);
-        glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
-    }
-    NearIsOne(const NearIsOne&) = delete;
-    NearIsOne& operator=(const NearIsOne&) = delete;
-};
-
 int lineCount(const GodraySettings& settings) {
     return settings.grid.x * settings.grid.y * settings.subdivision * settings.subdivision;
-}
-
-glm::vec4 rectOf(const WaterPatch& patch, const glm::dvec3& origin) {
-    return glm::vec4(patch.min() - glm::dvec2(origin.x, origin.z), patch.size);
 }
 
 /// m that light is followed: until it is gone, or has left all that a camera among the receivers can see.
@@ -142,7 +125,8 @@ const gl::Texture& PhotonLines::draw(const Inputs& inputs) {
         const gl::Buffer frame = lineFrame(inputs, source);
         frame.bindUniform(frameBinding);
         framebuffer.bind();
-        const NearIsOne reversed;
+        const gl::NearIsOne reversed;
+        glEnable(GL_DEPTH_TEST);
         if (!depthDrawn) drawDepth(inputs);
         depthDrawn = true;
         glDepthMask(GL_FALSE);
@@ -154,6 +138,7 @@ const gl::Texture& PhotonLines::draw(const Inputs& inputs) {
         glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, lineCount(inputs.scene.godrays));
         glDisable(GL_BLEND);
         glDepthMask(GL_TRUE);
+        glDisable(GL_DEPTH_TEST);
     }
     return _radiance;
 }

@@ -10,6 +10,7 @@
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
 
+#include "core/Bounds.h"
 #include "scene/HeightField.h"
 #include "scene/Mesh.h"
 #include "scene/Spectrum.h"
@@ -188,16 +189,7 @@ Fill fillOf(Method method, Fill asked);
 bool sumsBeams(const CausticsSettings& settings);
 std::string_view godrayMethodName(GodrayMethod method);
 
-/// Bounds of the receivers in the world, m; empty (min > max) without any.
-struct Bounds {
-    glm::dvec3 min{1e300};
-    glm::dvec3 max{-1e300};
-
-    bool empty() const { return min.x > max.x; }
-    void add(const glm::dvec3& p) { min = glm::min(min, p), max = glm::max(max, p); }
-    glm::dvec3 center() const { return 0.5 * (min + max); }
-    glm::dvec3 size() const { return max - min; }
-};
+/// Bounds of the receivers in the world, m; empty without any.
 Bounds worldBounds(const Receiver& receiver);
 Bounds worldBounds(const Scene& scene);
 

@@ -2,6 +2,8 @@
 
 #include <limits>
 
+#include "gl/NearIsOne.h"
+
 namespace limpid {
 
 namespace {
@@ -9,20 +11,6 @@ namespace {
 constexpr int supersampling = 2; // samples a pixel and axis
 constexpr GLuint viewBinding = 2;
 enum GodrayUniform { GodraySamples, GodrayTaps, GodrayRadius, GodrayNear };
-
-/// While it lives, depth runs from 1 near by to 0 far away (shaders/include/view.glsl).
-struct NearIsOne {
-    NearIsOne() {
-        glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
-        glDepthFunc(GL_GREATER);
-    }
-    ~NearIsOne() {
-        glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
-        glDepthFunc(GL_LESS);
-    }
-    NearIsOne(const NearIsOne&) = delete;
-    NearIsOne& operator=(const NearIsOne&) = delete;
-};
 
 /// Average of each pixel's samples; OpenGL counts rows from the bottom, a picture from the top.
 Picture resolve(const std::vector<float>& samples, glm::ivec2 size) {
@@ -115,7 +103,7 @@ PicturePass::Sketch PicturePass::begin(const Inputs& inputs, glm::ivec2 size, in
     const ViewFrameData& frame = sketch._frame;
     sketch._view = gl::Buffer(ledger, "view", sizeof(frame), &frame);
     sketch._view.bindUniform(viewBinding);
-    const NearIsOne reversed;
+    const gl::NearIsOne reversed;
     const ReceiverPass::Inputs receivers = receiverInputs(inputs, frame);
     _receivers.prepare(receivers, inputs.lightRests);
     sketch._refracted = Sketch::View(ledger, "refracted view", wide);
@@ -134,7 +122,7 @@ PicturePass::Sketch PicturePass::begin(const Inputs& inputs, glm::ivec2 size, in
 void PicturePass::drawRows(const Inputs& inputs, const Sketch& sketch, glm::ivec2 rows) {
     const ViewFrameData& frame = sketch._frame;
     sketch._view.bindUniform(viewBinding);
-    const NearIsOne reversed;
+    const gl::NearIsOne reversed;
     const RowsOnly only(rows * sketch._perPixel);
     const ReceiverPass::Inputs receivers = receiverInputs(inputs, frame);
     _receivers.drawSolid(receivers, sketch._target, frame.nearSide(), Way::Straight);

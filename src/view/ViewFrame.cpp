@@ -65,8 +65,7 @@ Eye eyeOf(const Camera& camera, const Water& water, double near, double height) 
 double farthestSeen(const Bounds& bounds, const Water& water, const Eye& eye) {
     double farthest = 1e-6;
     for (int i = 0; i < 8; ++i) {
-        const glm::dvec3 corner(i & 1 ? bounds.max.x : bounds.min.x, i & 2 ? bounds.max.y : bounds.min.y,
-                                i & 4 ? bounds.max.z : bounds.min.z);
+        const glm::dvec3 corner = bounds.corner(i);
         if (!eye.above) {
             farthest = std::max(farthest, glm::distance(corner, eye.position));
             continue;
@@ -148,7 +147,7 @@ ViewFrameData viewFrame(const Scene& scene, const glm::dvec3& origin, const Wate
     frame.viewWater = glm::vec4(eye.plane - origin.y, water.ior, 1 / (1 + viewMargin), texel);
     frame.deepRadiance = glm::vec4(deepRadiance(scene), 0);
     frame.waterRest = glm::vec4(water.level - origin.y, 0, 0, 0);
-    frame.patchRect = glm::vec4(patch.min() - glm::dvec2(origin.x, origin.z), patch.size);
+    frame.patchRect = rectOf(patch, origin);
     frame.patchQuads = glm::ivec4(patch.grid, 0, 0);
     setSides(frame, sides, water, origin);
     return frame;

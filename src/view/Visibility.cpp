@@ -13,8 +13,7 @@ using Points = std::vector<glm::dvec3>;
 
 void addCorners(Points& points, const Bounds& bounds) {
     for (int i = 0; i < 8; ++i)
-        points.emplace_back(i & 1 ? bounds.max.x : bounds.min.x, i & 2 ? bounds.max.y : bounds.min.y,
-                            i & 4 ? bounds.max.z : bounds.min.z);
+        points.push_back(bounds.corner(i));
 }
 
 /// Whether the hull of `points` may reach into the view: it does not where all of them are beyond one side,

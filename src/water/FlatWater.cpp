@@ -148,6 +148,10 @@ WaterPatch coveringPatch(const Scene& scene) {
     return patch;
 }
 
+glm::vec4 rectOf(const WaterPatch& patch, const glm::dvec3& origin) {
+    return glm::vec4(patch.min() - glm::dvec2(origin.x, origin.z), patch.size);
+}
+
 namespace {
 
 /// x and z of the corners of where light on its way to a box below the level starts; nothing if none does.

@@ -34,6 +34,9 @@ struct WaterPatch {
     glm::dvec2 min() const { return center - 0.5 * size; }
 };
 
+/// A patch as shaders have it: x, z of its corner and extents, m, single precision relative to `origin`.
+glm::vec4 rectOf(const WaterPatch& patch, const glm::dvec3& origin);
+
 /// What the scene asks for, or else every place from which a ray of any light, refracted by any slope that
 /// the waves can have, may reach a receiver (the receivers' bounding box below the level). Positions in the
 /// world.
