@@ -139,6 +139,7 @@ void Engine::freeMaps() {
     _exactBeams.free();
     _discFilter.free();
     if (_volumetric) _volumetric->free();
+    if (_stencil) _stencil->free();
     if (_photonSplat) _photonSplat->free();
     _lightsReady = false;
     _causticsTime.reset();
@@ -269,6 +270,7 @@ void Engine::updateReceiver(ReceiverMaps& maps) {
         drawLevelMap(maps);
         break;
     case Method::LevelMap:
+    case Method::Stencil:
         drawLevelMap(maps);
         updatePlaneDepths(maps);
         break;
@@ -327,7 +329,8 @@ void Engine::updateTangentPlanes(ReceiverMaps& maps) {
 }
 
 void Engine::updatePlaneDepths(ReceiverMaps& maps) {
-    if (_scene.caustics.fill == Fill::Drawn) return;
+    const CausticsSettings& settings = _scene.caustics;
+    if (hasFills(settings.method) && settings.fill == Fill::Drawn) return;
     if (_skipping && isUnlit(maps)) {
         ++_skipped.unreadPasses;
         return;

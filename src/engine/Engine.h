@@ -12,6 +12,7 @@
 #include "caustics/FluxAudit.h"
 #include "caustics/PhotonSplat.h"
 #include "caustics/PlaneBeams.h"
+#include "caustics/StencilVolumes.h"
 #include "caustics/Volumetric.h"
 #include "engine/Skipped.h"
 #include "gl/Context.h"
@@ -60,7 +61,7 @@ struct ReceiverMaps {
     int halvings = 0;    ///< of its size and planes, where a picture shows it small
     LevelMap level;
     TangentPlanes tangents; ///< for exact beams only
-    PlaneDepths depths;     ///< for level maps in one pass only
+    PlaneDepths depths;     ///< for level maps in one pass and for stencil only
     CausticMap caustics;
     Slices slices; ///< empty but for the volumetric method
 
@@ -181,6 +182,7 @@ class Engine {
     ExactBeams _exactBeams;
     DiscFilter _discFilter;
     std::unique_ptr<Volumetric> _volumetric;   ///< made when a scene asks for it
+    std::unique_ptr<StencilVolumes> _stencil;  ///< likewise
     std::unique_ptr<PhotonSplat> _photonSplat; ///< likewise
     FluxAudit _fluxAudit;
     std::unique_ptr<PhotonLines> _photonLines;       ///< made for the first picture that shows some

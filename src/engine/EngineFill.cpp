@@ -54,6 +54,10 @@ void Engine::fill(ReceiverMaps& maps) {
         _volumetric->drawCaustics(maps.slices, maps.level, state.beams, _surface.mesh(), _scene.water);
         _volumetric->combine(maps.caustics, maps.level, maps.slices);
         break;
+    case Method::Stencil:
+        if (!_stencil) _stencil = std::make_unique<StencilVolumes>(_context);
+        _stencil->fill(maps.caustics, maps.level, maps.depths, state.beams, _surface.mesh(), _scene.water);
+        break;
     case Method::PhotonSplat:
         splatPhotons(maps);
         break;

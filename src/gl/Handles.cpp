@@ -23,6 +23,7 @@ int bytesPerTexel(GLenum format) {
         return 4;
     case GL_RG32F:
     case GL_RGBA16F:
+    case GL_DEPTH32F_STENCIL8:
         return 8;
     case GL_RGBA32F:
         return 16;
@@ -174,7 +175,9 @@ Framebuffer::Framebuffer(std::string label, std::span<const Texture* const> colo
         _size = color->size();
     }
     if (depth) {
-        glNamedFramebufferTexture(_id, GL_DEPTH_ATTACHMENT, depth->id(), 0);
+        const bool stencil = depth->internalFormat() == GL_DEPTH32F_STENCIL8;
+        glNamedFramebufferTexture(_id, stencil ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT,
+                                  depth->id(), 0);
         _size = depth->size();
     }
     glNamedFramebufferDrawBuffers(_id, GLsizei(attachments.size()), attachments.data());
@@ -195,6 +198,10 @@ void Framebuffer::clearColor(int attachment, const glm::vec4& value) const {
 
 void Framebuffer::clearDepth(float value) const {
     glClearNamedFramebufferfv(_id, GL_DEPTH, 0, &value);
+}
+
+void Framebuffer::clearDepthStencil(float depth, int stencil) const {
+    glClearNamedFramebufferfi(_id, GL_DEPTH_STENCIL, 0, depth, stencil);
 }
 
 void VertexArray::attribute(GLuint index, const Buffer& buffer, int components, int offset, int stride) {

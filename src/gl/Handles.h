@@ -133,6 +133,8 @@ class Framebuffer {
     void bind() const;
     void clearColor(int attachment, const glm::vec4& value) const;
     void clearDepth(float value) const;
+    /// Of a depth buffer that has a stencil, GL_DEPTH32F_STENCIL8.
+    void clearDepthStencil(float depth, int stencil) const;
 
   private:
     GLuint _id = 0;

@@ -4,8 +4,8 @@ namespace limpid {
 
 namespace {
 constexpr Fill fills[] = {Fill::Drawn, Fill::OnePass};
-constexpr Method methods[] = {Method::LevelMap, Method::LevelMapSmart, Method::ExactBeam, Method::Volumetric,
-                              Method::PhotonSplat};
+constexpr Method methods[] = {Method::LevelMap,   Method::LevelMapSmart, Method::ExactBeam,
+                              Method::Volumetric, Method::Stencil,       Method::PhotonSplat};
 } // namespace
 
 std::span<const Method> allMethods() {
@@ -22,6 +22,8 @@ std::string_view methodName(Method method) {
         return "exact-beam";
     case Method::Volumetric:
         return "volumetric";
+    case Method::Stencil:
+        return "stencil";
     case Method::PhotonSplat:
         return "photon-splat";
     }

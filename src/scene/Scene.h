@@ -112,7 +112,7 @@ struct Receiver {
     bool operator==(const Receiver&) const = default; ///< a mesh equals itself alone
 };
 
-enum class Method { LevelMap, LevelMapSmart, ExactBeam, Volumetric, PhotonSplat };
+enum class Method { LevelMap, LevelMapSmart, ExactBeam, Volumetric, Stencil, PhotonSplat };
 enum class Slicing { Automatic, Levels };
 /// How the level map methods come to their light: planes drawn one after another, or beams walked in one
 /// pass.

@@ -141,9 +141,9 @@ const TextCase receivers[] = {
 };
 
 const TextCase settings[] = {
-    {"[caustics]\nmethod = \"stencil\"",
+    {"[caustics]\nmethod = \"photons\"",
      "4:10: caustics.method: expected \"exact-beam\", \"level-map\", \"level-map-smart\", "
-     "\"volumetric\" or \"photon-splat\" (the methods there are so far), found \"stencil\""},
+     "\"volumetric\", \"stencil\" or \"photon-splat\" (the methods there are so far), found \"photons\""},
     {"[caustics]\nsplat_size = [20, 5]",
      "4:14: caustics.splat_size: expected the smaller size first, found [20, 5]"},
     {"[caustics]\nfill = \"painted\"",

@@ -1,0 +1,19 @@
+// The receiver lit by parallel light as flat water lets it through, with its shadows: what the caustic image is
+// multiplied with (Iwasaki et al. 2002, 4.3.1 and 5). Of a lamp, the light that flat water would send to the texel.
+// Out: share of W/m² across the light that its surface has, [0, ...].
+#include "include/box.glsl"
+#include "include/light.glsl"
+#include "include/octahedral.glsl"
+layout(binding = 0) uniform sampler2D diffuseMap; // alpha: share of the mean light
+layout(binding = 1) uniform sampler2D positionMap; // RG32F
+layout(binding = 2) uniform sampler2D normalMap;  // RG16
+layout(location = 0) out vec4 share;
+
+void main() {
+    ivec2 texel = ivec2(gl_FragCoord.xy);
+    vec3 point = boxPoint(vec3((vec2(texel) + 0.5) * boxExtent.w, texelFetch(positionMap, texel, 0).x));
+    vec3 light = meanDirection(entryPoint(point));
+    vec3 normal = octahedralDecode(texelFetch(normalMap, texel, 0).xy);
+    float cosine = max(-dot(normal, light), 0.0) / max(dot(light, boxT.xyz), 0.02);
+    share = vec4(cosine * texelFetch(diffuseMap, texel, 0).a);
+}
