@@ -38,7 +38,7 @@ void filterTexel(ivec2 texel, uint number) {
     vec3 own = splatAt(texel);
     before[number] = own;
     TexelPlane plane = planeAt(texel);
-    if (!plane.lit) return;
+    if (!plane.there) return;
     float facing = facingAt(texel), count = 1.0;
     vec3 sum = own * facing;
     for (int i = 0; i < taps; ++i) {

@@ -1,10 +1,12 @@
 // Photons through the water onto what a level map shows (Papadopoulos and Papaioannou 2009, 3.3). A thread has one cell
 // of the photon grid and cuts it up; a photon is refracted as the beam that it goes through, its landing is found by
 // Newton's iteration on the level map (Shah and Konttinen 2007), and its flux is shared out among the texels of a square
-// splat that show the surface it landed on, so that none of it is lost over an edge.
-// In: beams, level map. Out: flux sums.
+// splat that show the surface it landed on, so that none of it is lost over an edge. What is in a photon's way is asked
+// for in its own direction, in the scene depth map.
+// In: beams, tangent planes, scene depth map. Out: flux sums.
 #include "include/photon_place.glsl"
 #include "include/photon_ray.glsl"
+#include "include/occlusion.glsl"
 #include "include/surface_shadow.glsl"
 #include "include/flux_sums.glsl"
 layout(local_size_x = 64) in;
@@ -13,6 +15,8 @@ layout(location = 6) uniform vec3 extinctionPerMetre;
 layout(location = 7) uniform int channels;       // 1 or 3
 layout(location = 8) uniform vec4 splat;         // a and b of a + b / d in texels; the least and the greatest size
 layout(location = 9) uniform int testSurfaceShadow;
+layout(location = 10) uniform int testOcclusion; // 0: nothing can be before the receiver
+layout(location = 11) uniform int receiverNumber;
 
 const int newtonSteps = 8;
 const int marchSteps = 64, halvings = 12;
@@ -36,7 +40,7 @@ Landing byNewton(Ray ray) {
     for (int i = 0; i < newtonSteps; ++i) {
         ivec2 texel = texelOf(ray.origin + t * ray.direction);
         TexelPlane plane = planeAt(texel);
-        if (!plane.lit) return nowhere;
+        if (!plane.there) return nowhere;
         float above = metresAbove(plane, texel, ray.origin + t * ray.direction);
         float closing = ray.direction.z - dot(plane.rise, ray.direction.xy);
         if (closing < 0.02) return nowhere;
@@ -47,30 +51,51 @@ Landing byNewton(Ray ray) {
     return nowhere;
 }
 
-// Where Newton's iteration does not settle: in steps, until the ray passes from above the surface into it.
+// Whether a ray is below the surface that the texel shows which it is over.
+bool isBelow(vec3 q, out ivec2 texel, out float above) {
+    texel = texelOf(q);
+    TexelPlane plane = planeAt(texel);
+    above = plane.there ? metresAbove(plane, texel, q) : 1e30;
+    return above <= 0.0;
+}
+
+// Where Newton's iteration does not settle: in steps, until the ray passes from above the surface to below it. One that
+// gets below it from beside, past an edge of what the map shows, has come through something else, or behind the edge.
 Landing byMarch(Ray ray) {
     float start = max(-0.01 * boxExtent.z - ray.origin.z, 0.0) / ray.direction.z;
     float end = (1.01 * boxExtent.z - ray.origin.z) / ray.direction.z;
     float low = start;
+    ivec2 texel;
+    float above;
+    bool wasBelow = isBelow(ray.origin + low * ray.direction, texel, above);
     for (int i = 1; i <= marchSteps; ++i) {
         float high = mix(start, end, float(i) / float(marchSteps));
-        ivec2 texel = texelOf(ray.origin + high * ray.direction);
-        TexelPlane plane = planeAt(texel);
-        if (plane.lit && metresAbove(plane, texel, ray.origin + high * ray.direction) <= 0.0) {
+        bool below = isBelow(ray.origin + high * ray.direction, texel, above);
+        if (below && !wasBelow) {
+            float from = low, to = high;
             for (int k = 0; k < halvings; ++k) {
-                float middle = 0.5 * (low + high);
-                ivec2 there = texelOf(ray.origin + middle * ray.direction);
-                TexelPlane at = planeAt(there);
-                if (at.lit && metresAbove(at, there, ray.origin + middle * ray.direction) <= 0.0) high = middle, texel = there, plane = at;
-                else low = middle;
+                float middle = 0.5 * (from + to);
+                if (isBelow(ray.origin + middle * ray.direction, texel, above)) to = middle;
+                else from = middle;
             }
-            float under = -metresAbove(plane, texel, ray.origin + high * ray.direction);
-            // A jump is an edge that the ray passes behind, and lands on it or not with what comes further down.
-            if (under < 4.0 * boxExtent.w * (1.0 + length(plane.rise))) return Landing(high, texel);
+            isBelow(ray.origin + from * ray.direction, texel, above);
+            bool shown = above < 1e29;
+            isBelow(ray.origin + to * ray.direction, texel, above);
+            if (shown && -above < boxExtent.w * (1.0 + length(planeAt(texel).rise))) return Landing(to, texel);
         }
+        wasBelow = below;
         low = high;
     }
     return nowhere;
+}
+
+// Whether something else is in the photon's way.
+bool isInShade(Photon photon, Landing landing) {
+    if (testOcclusion == 0) return false;
+    TexelPlane plane = planeAt(landing.texel);
+    vec3 point = photon.from + landing.metres * photon.direction;
+    point += besideFace(octahedralDecode(texelFetch(normalMap, landing.texel, 0).xy));
+    return isShaded(photon.from, point, plane.certain, length(plane.rise), receiverNumber);
 }
 
 float overlap(float low, float high, int texel) { return clamp(min(high, float(texel + 1)) - max(low, float(texel)), 0.0, 1.0); }
@@ -86,7 +111,7 @@ void deposit(Photon photon, Ray ray, Landing landing) {
     for (int y = first.y; y <= last.y; ++y)
         for (int x = first.x; x <= last.x; ++x)
             if (sameSurface(ivec2(x, y), plane, landing.texel, 0.5 * size)) weights += overlap(low.x, high.x, x) * overlap(low.y, high.y, y);
-    float arriving = photon.flux * texelFetch(diffuseMap, landing.texel, 0).a;
+    float arriving = photon.flux;
     if (testSurfaceShadow != 0) arriving *= surfaceVisibility(photon.from, 0.0);
     vec3 steps = arriving * stepsPerFlux * extinction(extinctionPerMetre, landing.metres);
     if (!(weights > 1e-6)) { // all of the square is beside the surface: its own texel has it
@@ -110,6 +135,6 @@ void main() {
         if (photon.flux <= 0.0 || ray.direction.z < 0.02) continue;
         Landing landing = byNewton(ray);
         if (landing.metres < 0.0) landing = byMarch(ray);
-        if (landing.metres >= 0.0) deposit(photon, ray, landing);
+        if (landing.metres >= 0.0 && !isInShade(photon, landing)) deposit(photon, ray, landing);
     }
 }

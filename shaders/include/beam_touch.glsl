@@ -24,8 +24,7 @@ float arriving(vec3 from, vec2 at, float depth, vec4 plane, ivec2 texel) {
     if (testOcclusion != 0) {
         vec3 to = boxPoint(vec3(at * boxExtent.w, depth));
         if ((boxSize.w & 7) != 0) to += besideFace(octahedralDecode(texelFetch(normalMap, texel, 0).xy));
-        float aside = distance(entryPoint(from).xz, entryPoint(to).xz);
-        if (aside >= plane.w && (aside < -plane.w || isTaken(from, to, length(plane.yz) / boxExtent.w, receiverNumber))) return 0.0;
+        if (isShaded(from, to, plane.w, length(plane.yz) / boxExtent.w, receiverNumber)) return 0.0;
     }
     return testSurfaceShadow != 0 ? surfaceVisibility(from, 0.0) : 1.0;
 }

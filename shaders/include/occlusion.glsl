@@ -104,3 +104,9 @@ bool isTaken(vec3 start, vec3 point, float slope, int receiverNumber) {
     }
     return false;
 }
+
+// The same for a point of a texel whose certainAside is known: followed only where that does not tell.
+bool isShaded(vec3 start, vec3 point, float certain, float slope, int receiverNumber) {
+    float aside = distance(entryPoint(start).xz, entryPoint(point).xz);
+    return aside >= certain && (aside < -certain || isTaken(start, point, slope, receiverNumber));
+}

@@ -19,7 +19,9 @@ enum CastUniform {
     ExtinctionPerMetre,
     CastChannels,
     Splat,
-    TestSurfaceShadow
+    TestSurfaceShadow,
+    TestOcclusion,
+    ReceiverNumber
 };
 enum FilterUniform { FilterChannels, Taps, Radius };
 enum ResolveUniform { WattsPerStep, Channels, Filtered };
@@ -71,8 +73,7 @@ void PhotonSplat::cast(const Inputs& inputs, int channels, double stepsPerFlux) 
     const Water& water = inputs.scene.water;
     const WaterPatch photons = lightingPatch(water, inputs.light, inputs.wet, inputs.patch);
     inputs.beams.frame.bindUniform(0);
-    inputs.map.position.bind(0);
-    inputs.map.diffuse.bind(1);
+    if (inputs.sceneDepth) inputs.sceneDepth->bind();
     if (inputs.beams.surfaceShadow) inputs.beams.surfaceShadow->bind(surfaceShadowUnit);
     inputs.surface.indices.bindStorage(0);
     inputs.beams.origins.bindStorage(3);
@@ -88,6 +89,8 @@ void PhotonSplat::cast(const Inputs& inputs, int channels, double stepsPerFlux) 
     _cast.set(CastChannels, channels);
     _cast.set(Splat, splatOf(inputs));
     _cast.set(TestSurfaceShadow, inputs.beams.surfaceShadow ? 1 : 0);
+    _cast.set(TestOcclusion, inputs.sceneDepth ? 1 : 0);
+    _cast.set(ReceiverNumber, inputs.receiver);
     _cast.dispatch(std::int64_t(settings.photonGrid.x) * settings.photonGrid.y, groupSize);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
@@ -110,6 +113,7 @@ void PhotonSplat::fill(CausticMap& caustics, const Inputs& inputs) {
     reserveSums((std::int64_t(size.x) * size.y + 2) * channels, filtered);
     const double perStep = unfocusedFlux(inputs.map, inputs.light) / stepsPerTexel;
     inputs.map.box.bindUniform(1);
+    inputs.planes.planes.bind(0);
     inputs.map.normal.bind(2);
     (filtered ? _splats : _sums).bindStorage(8);
     if (inputs.beams.strength != glm::dvec3(0)) {

@@ -2,6 +2,7 @@
 #include "caustics/CausticMap.h"
 #include "gl/Program.h"
 #include "levelmap/LevelMap.h"
+#include "levelmap/TangentPlanes.h"
 #include "scene/Scene.h"
 #include "water/Beams.h"
 
@@ -9,8 +10,9 @@ namespace limpid {
 
 /// Photons on a grid, refracted once, intersected with what the light sees, and drawn as splats (Papadopoulos
 /// and Papaioannou 2009, 3.1 to 3.3 and 3.5), into a receiver's map seen from its box. What is ours: a photon
-/// carries the watts of its piece of the surface, so that the map is irradiance; a splat and the filter give
-/// their light to the surface that it fell on and to nothing beside it; sums are integers.
+/// carries the watts of its piece of the surface, so that the map is irradiance; it lands only if nothing is
+/// in its way; a splat and the filter give their light to the surface that it fell on and to nothing beside
+/// it; sums are integers.
 ///
 /// In the paper a splat's size follows the distance from the viewer. A map is seen along the light, from the
 /// water: d of s = a + b/d is metres of water.
@@ -20,7 +22,10 @@ class PhotonSplat {
 
     struct Inputs {
         const LevelMap& map;
-        const Beams& beams; ///< of the level map's light
+        int receiver;                 ///< its number
+        const TangentPlanes& planes;  ///< of the level map
+        const SceneDepth* sceneDepth; ///< with its pyramid; null: nothing can be before the receiver
+        const Beams& beams;           ///< of the level map's light
         const WaterMesh& surface;
         const WaterPatch& patch; ///< that the surface covers, in the world
         const glm::dvec3& origin;

@@ -21,6 +21,11 @@ bool isFlat(const OrientedBox& box) {
     return box.extent.z <= 1e-4 * std::max(box.extent.x, box.extent.y);
 }
 
+/// Whether light is shaded by what is in its own way, and not in the mean light's.
+bool goesOwnWay(Method method) {
+    return method == Method::ExactBeam || method == Method::PhotonSplat;
+}
+
 double farthestWater(const Light& light, const Water& water, const std::vector<glm::dvec3>& points) {
     double farthest = 1e-6;
     for (const glm::dvec3& p : points)
@@ -211,7 +216,7 @@ bool Engine::needsSceneDepth(int index) const {
     // A receiver alone shades itself within its own map, unless a lamp sees it from other sides than the box
     // does, or a further map looks from elsewhere. Beams that go their own ways are shaded by all but a
     // plane.
-    const bool own = _scene.caustics.method == Method::ExactBeam;
+    const bool own = goesOwnWay(_scene.caustics.method);
     const bool further = std::any_of(_maps.begin(), _maps.end(), [&](const ReceiverMaps& m) {
         return m.light == index && (m.level.facing > 0 || (own && !isFlat(m.box)));
     });
@@ -260,15 +265,12 @@ void Engine::drawSceneDepth(int index) {
     const SceneDepthPass::Inputs inputs{state.beams, _receivers, state.farthest};
     _sceneDepthPass.drawFirst(state.sceneDepth, sceneDepthSize(state.beams.rect, _scene.caustics.mapSize),
                               inputs);
-    if (_scene.caustics.method == Method::ExactBeam) _sceneDepthPass.drawSolids(state.sceneDepth, inputs);
+    if (goesOwnWay(_scene.caustics.method)) _sceneDepthPass.drawSolids(state.sceneDepth, inputs);
 }
 
 /// What a method needs to know of a receiver.
 void Engine::updateReceiver(ReceiverMaps& maps) {
     switch (_scene.caustics.method) {
-    case Method::PhotonSplat:
-        drawLevelMap(maps);
-        break;
     case Method::LevelMap:
     case Method::Stencil:
         drawLevelMap(maps);
@@ -280,6 +282,7 @@ void Engine::updateReceiver(ReceiverMaps& maps) {
         updatePlaneDepths(maps);
         break;
     case Method::ExactBeam:
+    case Method::PhotonSplat:
         drawLevelMap(maps);
         updateTangentPlanes(maps);
         break;
@@ -363,7 +366,7 @@ FluxBalance Engine::auditFlux(int index) {
     Scope scope(_timers, "flux audit");
     return _fluxAudit.count(
         state.beams, _surface.mesh(), _scene.water, state.sceneDepth, levels, state.farthest,
-        _scene.caustics.method == Method::ExactBeam ? FluxAudit::Shade::Own : FluxAudit::Shade::Mean);
+        goesOwnWay(_scene.caustics.method) ? FluxAudit::Shade::Own : FluxAudit::Shade::Mean);
 }
 
 } // namespace limpid

@@ -60,7 +60,7 @@ struct ReceiverMaps {
     bool inReach = true; ///< whether any of the water's light may come to it
     int halvings = 0;    ///< of its size and planes, where a picture shows it small
     LevelMap level;
-    TangentPlanes tangents; ///< for exact beams only
+    TangentPlanes tangents; ///< for exact beams and photon splats only
     PlaneDepths depths;     ///< for level maps in one pass and for stencil only
     CausticMap caustics;
     Slices slices; ///< empty but for the volumetric method
