@@ -32,13 +32,13 @@ StencilVolumes::StencilVolumes(gl::Context& context)
       _objects({"gl/screen.vert", "caustics/stencil_objects.frag"}),
       _volumes(
           {"caustics/stencil_volume.vert", "caustics/stencil_volume.geom", "caustics/stencil_volume.frag"}),
-      _light({"gl/screen.vert", "caustics/stencil_light.frag"}),
-      _draw(context.ledger(), "sub-volumes", sizeof(DrawCommand)) {}
+      _light({"gl/screen.vert", "caustics/stencil_light.frag"}) {}
 
 void StencilVolumes::findSubVolumes(const LevelMap& map, const Beams& beams, const WaterMesh& surface) {
     _footprints.update(beams, surface, map);
     const std::int64_t bytes = std::int64_t(beams.triangleCount) * 8;
     if (_ranges.bytes() != bytes) _ranges = gl::Buffer(_context.ledger(), "sub-volumes", bytes);
+    if (!_draw.id()) _draw = gl::Buffer(_context.ledger(), "sub-volumes", sizeof(DrawCommand));
     const DrawCommand none{std::uint32_t(beams.triangleCount), 0, 0, 0};
     _draw.write(0, sizeof(none), &none);
     surface.indices.bindStorage(0);

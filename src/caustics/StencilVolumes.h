@@ -28,6 +28,7 @@ class StencilVolumes {
     void free() {
         _footprints.free();
         _ranges = {};
+        _draw = {};
     }
 
   private:
