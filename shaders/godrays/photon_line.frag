@@ -2,9 +2,9 @@
 // the line the share that is scattered, by phase function and extinction both ways, over the solid angle of the pixels
 // that this metre is drawn into.
 // Out, RGBA32F, added: W/(m² sr).
-#include "include/line_frame.glsl"
+#include "include/godray_phase.glsl"
+#include "include/line_width.glsl"
 #include "include/optics.glsl"
-#include "include/phase.glsl"
 flat in vec4 clipFrom, clipTo, lineFrom, lineTo;
 flat in vec2 range;
 layout(location = 0) out vec4 radiance;
@@ -34,7 +34,6 @@ void main() {
     float solidAngle = slant * slant * slant / (target.z * target.w);
     vec3 light = (lineTo.xyz - lineFrom.xyz) / max(lineTo.w, 1e-9);
     float cosTurn = -dot(toPoint, light) / metres;
-    float spread = strength.w > 0.5 ? schlickPhase(cosTurn, scattering.w) : henyeyGreenstein(cosTurn, scattering.w);
-    float share = spread * lineFrom.w * cover / width / (metres * metres * max(length(drawn), 1e-9) * solidAngle);
+    float share = scatteredTowards(cosTurn) * lineFrom.w * cover / width / (metres * metres * max(length(drawn), 1e-9) * solidAngle);
     radiance = vec4(strength.rgb * scattering.rgb * extinction(extinctionPerMetre.rgb, travelled + metres) * share, 0.0);
 }

@@ -1,5 +1,5 @@
 // A receiver as the camera sees it, for its depth alone.
-#include "include/line_frame.glsl"
+#include "include/godray_frame.glsl"
 #include "include/receiver_vertex.glsl"
 
 void main() {

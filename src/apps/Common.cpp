@@ -25,10 +25,12 @@ void addCommonOptions(CLI::App& command, CommonOptions& options) {
     command.add_option(
         "--fill", options.fill,
         fmt::format("how the level map methods come to their light: {}", fmt::join(fills, ", ")));
+    std::vector<std::string_view> godrays;
+    for (const GodrayMethod method : allGodrayMethods())
+        godrays.push_back(godrayMethodName(method));
     command.add_option("--godrays", options.godrays,
-                       fmt::format("how light scattered by the water is drawn, seen from below: {}, {}",
-                                   godrayMethodName(GodrayMethod::None),
-                                   godrayMethodName(GodrayMethod::PhotonLines)));
+                       fmt::format("how light scattered by the water is drawn, seen from below: {}",
+                                   fmt::join(godrays, ", ")));
     command.add_option("--planes", options.planes, "reference planes of a box, before slicing drops any");
     command.add_option("--map-size", options.mapSize, "texels on the longer side of a map");
     command.add_option("--set", options.settings, "KEY=VALUE: change any key of the scene (repeatable)")

@@ -45,11 +45,10 @@ std::string words(const Values& values, NameOf&& nameOf) {
 
 /// What may come after an option.
 std::string choices() {
-    constexpr GodrayMethod godrays[] = {GodrayMethod::None, GodrayMethod::PhotonLines};
     const std::pair<std::string, std::string> all[] = {
         {"--method | --compare", words(allMethods(), methodName)},
         {"--fill", words(allFills(), fillName)},
-        {"--godrays", words(godrays, godrayMethodName)},
+        {"--godrays", words(allGodrayMethods(), godrayMethodName)},
         {"--panel", "measure understand compare"}};
     std::string cases;
     for (const auto& [options, names] : all)

@@ -17,6 +17,7 @@
 #include "engine/Skipped.h"
 #include "gl/Context.h"
 #include "gl/TimerQuery.h"
+#include "godrays/ExactShafts.h"
 #include "godrays/PhotonLines.h"
 #include "levelmap/LampShadow.h"
 #include "levelmap/LevelMap.h"
@@ -164,6 +165,7 @@ class Engine {
     void drawSceneDepth(int light);
     void drawLampShadows();
     const gl::Texture* drawGodrays(glm::ivec2 size);
+    void drawGodrays(const GodrayInputs& inputs);
     bool needsSceneDepth(int light) const;
 
     gl::Context& _context;
@@ -185,7 +187,9 @@ class Engine {
     std::unique_ptr<StencilVolumes> _stencil;  ///< likewise
     std::unique_ptr<PhotonSplat> _photonSplat; ///< likewise
     FluxAudit _fluxAudit;
-    std::unique_ptr<PhotonLines> _photonLines;       ///< made for the first picture that shows some
+    std::unique_ptr<GodrayTarget> _godrayTarget;     ///< made for the first picture that shows some
+    std::unique_ptr<PhotonLines> _photonLines;       ///< likewise
+    std::unique_ptr<ExactShafts> _exactShafts;       ///< likewise
     std::unique_ptr<PicturePass> _picturePass;       ///< made for the first picture: a bake needs none
     std::unique_ptr<LampShadowPass> _lampShadowPass; ///< made for the first lamp under water in one
 

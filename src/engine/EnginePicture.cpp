@@ -35,14 +35,30 @@ std::vector<bool> Engine::shownMaps(glm::ivec2 size) {
     return shown;
 }
 
-/// Null where nothing is scattered, or not by a method that is there; seen from above, likewise.
+void Engine::drawGodrays(const GodrayInputs& inputs) {
+    if (!_godrayTarget) _godrayTarget = std::make_unique<GodrayTarget>(_context);
+    switch (_scene.godrays.method) {
+    case GodrayMethod::None:
+        break;
+    case GodrayMethod::PhotonLines:
+        if (!_photonLines) _photonLines = std::make_unique<PhotonLines>(_context);
+        _photonLines->draw(*_godrayTarget, inputs);
+        break;
+    case GodrayMethod::ExactShafts:
+        if (!_exactShafts) _exactShafts = std::make_unique<ExactShafts>(_context);
+        _exactShafts->draw(*_godrayTarget, inputs);
+        break;
+    }
+}
+
+/// Null where nothing is scattered, or the camera is above.
 const gl::Texture* Engine::drawGodrays(glm::ivec2 size) {
-    const bool wanted = _scene.godrays.method == GodrayMethod::PhotonLines;
+    const bool wanted = _scene.godrays.method != GodrayMethod::None;
     if (!wanted || _scene.water.scattering == glm::dvec3(0)) return nullptr;
     const ViewFrameData frame = viewFrame(_scene, _origin, _patch, _surface.mesh(), _sides, size);
     if (frame.cameraAbove()) return nullptr;
     std::vector<SceneDepth> own(_lights.size()); // of lights whose maps do without one, and are to go on so
-    std::vector<PhotonLines::Source> sources;
+    std::vector<GodraySource> sources;
     for (std::size_t i = 0; i < _lights.size(); ++i) {
         if (isDark(int(i))) continue;
         LightState& state = _lights[i];
@@ -52,12 +68,13 @@ const gl::Texture* Engine::drawGodrays(glm::ivec2 size) {
             own[i] = std::move(state.sceneDepth);
             state.sceneDepth = {};
         }
-        sources.push_back({state.beams, there ? state.sceneDepth : own[i], state.farthest});
+        sources.push_back({state.beams, there ? state.sceneDepth : own[i], _scene.lights[i], state.farthest});
     }
-    if (!_photonLines) _photonLines = std::make_unique<PhotonLines>(_context);
+    if (sources.empty()) return nullptr;
     Scope scope(_timers, "godrays");
-    const PhotonLines::Camera camera{frame.viewProjection, glm::vec3(frame.cameraPosition), size};
-    return &_photonLines->draw({_scene, _surface.mesh(), _patch, _origin, _receivers, sources, camera});
+    const GodrayCamera camera{frame.viewProjection, glm::vec3(frame.cameraPosition), size};
+    drawGodrays({_scene, _surface.mesh(), _patch, _origin, _receivers, sources, camera});
+    return &_godrayTarget->radiance();
 }
 
 /// How often a map may be halved and still have the texels that a picture asks for where it shows most of

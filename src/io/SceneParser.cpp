@@ -324,16 +324,18 @@ void parseRadiance(TomlTable& root, std::string_view key, glm::dvec3& radiance) 
 
 GodraySettings parseGodrays(TomlTable table) {
     GodraySettings godrays;
-    const std::string_view methods[] = {godrayMethodName(GodrayMethod::None),
-                                        godrayMethodName(GodrayMethod::PhotonLines)};
-    godrays.method =
-        static_cast<GodrayMethod>(table.choice("method", methods, " (the methods there are so far)"));
+    std::vector<std::string_view> methods;
+    for (const GodrayMethod method : allGodrayMethods())
+        methods.push_back(godrayMethodName(method));
+    godrays.method = allGodrayMethods()[table.choice("method", methods)];
     constexpr std::string_view phases[] = {"henyey-greenstein", "schlick"};
     godrays.phase = static_cast<Phase>(table.choice("phase", phases));
     std::array<std::int64_t, 2> grid = {godrays.grid.x, godrays.grid.y};
     table.wholeNumbers("grid", grid, 1, 4096);
     godrays.grid = {static_cast<int>(grid[0]), static_cast<int>(grid[1])};
     parseWhole(table, "subdivision", godrays.subdivision, 1, 16);
+    parseWhole(table, "planes", godrays.planes, 1, 1024);
+    parseWhole(table, "steps", godrays.steps, 1, 4096);
     table.number("scale", godrays.scale, {.min = 0, .max = 1, .openMin = true, .text = " > 0 and <= 1"});
     table.number("line_width", godrays.lineWidth, {.min = 0.5, .max = 256, .text = " from 0.5 to 256"});
     parseWhole(table, "filter_taps", godrays.filterTaps, 0, 32);

@@ -143,6 +143,8 @@ void addGodrays(Table table, const GodraySettings& godrays) {
     table.add("phase", phases[std::size_t(godrays.phase)]);
     table.add("grid", godrays.grid);
     table.add("subdivision", godrays.subdivision);
+    table.add("planes", godrays.planes);
+    table.add("steps", godrays.steps);
     table.add("scale", godrays.scale);
     table.add("line_width", godrays.lineWidth);
     table.add("filter_taps", godrays.filterTaps);

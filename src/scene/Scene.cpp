@@ -6,6 +6,8 @@ namespace {
 constexpr Fill fills[] = {Fill::Drawn, Fill::OnePass};
 constexpr Method methods[] = {Method::LevelMap,   Method::LevelMapSmart, Method::ExactBeam,
                               Method::Volumetric, Method::Stencil,       Method::PhotonSplat};
+constexpr GodrayMethod godrayMethods[] = {GodrayMethod::None, GodrayMethod::PhotonLines,
+                                          GodrayMethod::ExactShafts};
 } // namespace
 
 std::span<const Method> allMethods() {
@@ -69,8 +71,20 @@ bool sumsBeams(const CausticsSettings& settings) {
     return settings.method != Method::PhotonSplat && fillOf(settings.method, settings.fill) == Fill::OnePass;
 }
 
+std::span<const GodrayMethod> allGodrayMethods() {
+    return godrayMethods;
+}
+
 std::string_view godrayMethodName(GodrayMethod method) {
-    return method == GodrayMethod::None ? "none" : "photon-lines";
+    switch (method) {
+    case GodrayMethod::None:
+        return "none";
+    case GodrayMethod::PhotonLines:
+        return "photon-lines";
+    case GodrayMethod::ExactShafts:
+        return "exact-shafts";
+    }
+    return "";
 }
 
 Bounds worldBounds(const Receiver& receiver) {

@@ -139,7 +139,7 @@ struct CausticsSettings {
     bool operator==(const CausticsSettings&) const = default;
 };
 
-enum class GodrayMethod { None, PhotonLines };
+enum class GodrayMethod { None, PhotonLines, ExactShafts };
 enum class Phase { HenyeyGreenstein, Schlick };
 
 /// Light that the water scatters to a camera below the surface. Of photon lines, with the paper's settings.
@@ -147,11 +147,13 @@ struct GodraySettings {
     GodrayMethod method = GodrayMethod::None;
     Phase phase = Phase::HenyeyGreenstein;
     glm::ivec2 grid{100, 100}; ///< cells over the water, [1, 4096]
-    int subdivision = 2;       ///< lines along a side of a cell, [1, 16]
+    int subdivision = 2;       ///< lines or rays along a side of a cell, [1, 16]
     double scale = 0.16;       ///< of the target's sides to the picture's, (0, 1]
     double lineWidth = 3;      ///< pixels of the target at least, [0.5, 256]
     int filterTaps = 8;        ///< [0, 32]; 0: no filter
     double filterRadius = 1.5; ///< pixels of the target, [0, 64]
+    int planes = 32;           ///< layers of lit water down to the deepest receiver, [1, 1024]
+    int steps = 96;            ///< along a view ray, [1, 4096]
 
     bool operator==(const GodraySettings&) const = default;
 };
@@ -187,6 +189,7 @@ Fill fillOf(Method method, Fill asked);
 /// Whether the light is summed beam by beam in compute passes: beams are passed over many at a time, and a
 /// light's disc is more than a point.
 bool sumsBeams(const CausticsSettings& settings);
+std::span<const GodrayMethod> allGodrayMethods();
 std::string_view godrayMethodName(GodrayMethod method);
 
 /// Bounds of the receivers in the world, m; empty without any.

@@ -152,8 +152,10 @@ const TextCase settings[] = {
      "4:12: caustics.map_size: expected a whole number from 1 to 16384, found 16385"},
     {"[caustics]\nplanes = 0", "4:10: caustics.planes: expected a whole number from 1 to 4096, found 0"},
     {"[caustics]\nthreshold = 0", "4:13: caustics.threshold: expected a number > 0 and <= 1, found 0"},
-    {"[godrays]\nmethod = \"tetrahedra\"", "4:10: godrays.method: expected \"none\" or \"photon-lines\" "
-                                           "(the methods there are so far), found \"tetrahedra\""},
+    {"[godrays]\nmethod = \"shafts\"", "4:10: godrays.method: expected \"none\", \"photon-lines\" or "
+                                       "\"exact-shafts\", found \"shafts\""},
+    {"[godrays]\nplanes = 0", "4:10: godrays.planes: expected a whole number from 1 to 1024, found 0"},
+    {"[godrays]\nsteps = 5000", "4:9: godrays.steps: expected a whole number from 1 to 4096, found 5000"},
     {"[sky]\nradiance = 1", "4:12: sky.radiance: expected three numbers from 0 to 1e12, found 1"},
 };
 

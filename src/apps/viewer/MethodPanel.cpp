@@ -77,7 +77,7 @@ void godraysSection(State& state) {
     ImGui::PushID("godrays");
     GodraySettings& godrays = state.scene.godrays;
     int method = int(godrays.method);
-    if (ImGui::Combo("method", &method, "none\0photon lines\0"))
+    if (ImGui::Combo("method", &method, "none\0photon lines\0exact shafts\0"))
         godrays.method = static_cast<GodrayMethod>(method);
     hint("how light is drawn that the water scatters");
     if (godrays.method != GodrayMethod::None) {
@@ -89,7 +89,13 @@ void godraysSection(State& state) {
         wholeNumber("subdivision", godrays.subdivision, 1, 16, "lines along a side of a cell");
         number("scale", godrays.scale, {.speed = 0.005, .min = 0.01, .max = 1},
                "sides of what they are drawn into, of the picture's");
-        number("line width", godrays.lineWidth, {.speed = 0.02, .min = 0.5, .max = 256}, "pixels of that");
+        if (godrays.method == GodrayMethod::PhotonLines) {
+            number("line width", godrays.lineWidth, {.speed = 0.02, .min = 0.5, .max = 256},
+                   "pixels of that");
+        } else {
+            wholeNumber("planes", godrays.planes, 1, 1024, "along the light, between which it is summed");
+            wholeNumber("steps", godrays.steps, 1, 4096, "of a view ray through them");
+        }
         filterFields(godrays.filterTaps, godrays.filterRadius, "pixels of that");
     }
     ImGui::PopID();
