@@ -42,7 +42,16 @@ io::Profile loadProfile(const std::string& file, const ProfileOptions& options) 
 ProfileOutcome joined(ProfileOutcome all, const ProfileOutcome& one) {
     all.results.insert(all.results.end(), one.results.begin(), one.results.end());
     all.histograms.insert(all.histograms.end(), one.histograms.begin(), one.histograms.end());
+    all.godrays.insert(all.godrays.end(), one.godrays.begin(), one.godrays.end());
     return all;
+}
+
+/// A profile that lists ways to draw light in the water measures these, any other one caustics.
+ProfileOutcome measured(gl::Context& context, const io::Profile& profile, const ProfileRunOptions& options) {
+    if (profile.godrays.empty()) return runProfile(context, profile, options);
+    ProfileOutcome outcome;
+    outcome.godrays = profileGodrays(context, profile, options.references, options.quiet);
+    return outcome;
 }
 
 void runProfiles(const ProfileOptions& options) {
@@ -64,6 +73,7 @@ void runProfiles(const ProfileOptions& options) {
     const auto keep = [&](const ProfileOutcome& all) {
         io::writeText(folder / "results.json", resultsJson(profiles, all, machine));
         io::writeText(folder / "results.csv", resultsCsv(all));
+        if (!all.godrays.empty()) io::writeText(folder / "godrays.csv", godraysCsv(all.godrays));
     };
     for (const io::Profile& profile : profiles) {
         if (profile.reference > 0 && !canTraceGroundTruth() && !options.quiet)
@@ -73,12 +83,12 @@ void runProfiles(const ProfileOptions& options) {
                        profile.name);
         const auto keepMore = [&](const ProfileOutcome& more) { keep(joined(outcome, more)); };
         outcome = joined(std::move(outcome),
-                         runProfile(context, profile, {folder / "references", options.quiet, keepMore}));
+                         measured(context, profile, {folder / "references", options.quiet, keepMore}));
     }
     keep(outcome);
     if (!options.quiet) printResults(outcome, machine);
     for (const io::Profile& profile : profiles)
-        plotResults(folder, profile, outcome, machine);
+        if (profile.godrays.empty()) plotResults(folder, profile, outcome, machine);
 }
 
 } // namespace

@@ -78,6 +78,22 @@ Json resultJson(const ProfileResult& result) {
     return json;
 }
 
+Json godrayJson(const GodrayResult& result) {
+    const GodraySettings& settings = result.settings;
+    Json json = {{"profile", result.profile},
+                 {"scene", result.scene},
+                 {"method", godrayMethodName(settings.method)},
+                 {"grid", {settings.grid.x * settings.subdivision, settings.grid.y * settings.subdivision}},
+                 {"scale", settings.scale},
+                 {"planes", settings.planes},
+                 {"steps", settings.steps},
+                 {"godrays_ms", spreadJson(result.ms)},
+                 {"gpu_bytes", result.bytes}};
+    if (result.error) json["error"] = errorJson(*result.error);
+    if (result.standardError) json["error"]["standard_error"] = *result.standardError;
+    return json;
+}
+
 Json profileJson(const io::Profile& profile) {
     Json json = {{"name", profile.name},
                  {"warmup", profile.warmup},
@@ -211,7 +227,7 @@ std::string resultsJson(const std::vector<io::Profile>& profiles, const ProfileO
                    {"gpu", machine.gpu},
                    {"driver", machine.driver},
                    {"gl", machine.gl}}}};
-    Json runs = Json::array(), results = Json::array(), histograms = Json::array();
+    Json runs = Json::array(), results = Json::array(), histograms = Json::array(), godrays = Json::array();
     for (const io::Profile& profile : profiles)
         runs.push_back(profileJson(profile));
     for (const ProfileResult& result : outcome.results)
@@ -221,10 +237,14 @@ std::string resultsJson(const std::vector<io::Profile>& profiles, const ProfileO
                               {"scene", histogram.scene},
                               {"receiver", histogram.receiver},
                               {"texels", histogram.texels}});
+    for (const GodrayResult& result : outcome.godrays)
+        godrays.push_back(godrayJson(result));
     std::string text = head.dump(1, ' ', false, Json::error_handler_t::replace);
     text.erase(text.rfind('\n')); // the closing brace goes last
-    return fmt::format("{},\n \"profiles\": {},\n \"results\": {},\n \"depth_histograms\": {}\n}}\n", text,
-                       listText(runs), listText(results), listText(histograms));
+    return fmt::format(
+        "{},\n \"profiles\": {},\n \"results\": {},\n \"depth_histograms\": {},\n \"godrays\": "
+        "{}\n}}\n",
+        text, listText(runs), listText(results), listText(histograms), listText(godrays));
 }
 
 std::string resultsCsv(const ProfileOutcome& outcome) {
@@ -250,6 +270,8 @@ void printResults(const ProfileOutcome& outcome, const Machine& machine) {
         fill = std::max(fill, r.fill.size());
     }
     fmt::print("{}, {} cores; {}\n", machine.cpu, machine.cores, machine.gpu);
+    if (!outcome.godrays.empty()) printGodrays(outcome.godrays);
+    if (outcome.results.empty()) return;
     fmt::print("{:<{}} {:<{}} {:<{}} {:<{}} {:>6} {:>5} {:>9} {:>5} {:>11} {:>10} {:>8} {:>8} {:>8} {:>10}\n",
                "scene", scene, "receiver", receiver, "method", method, "fill", fill, "planes", "map", "grid",
                "drawn", "caustics ms", "frame ms", "MiB", "nMAE", "Luv", "flux ratio");

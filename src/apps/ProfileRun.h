@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/GodrayProfile.h"
 #include "core/ImageErrors.h"
 #include "core/Statistics.h"
 #include "engine/Engine.h"
@@ -47,6 +48,7 @@ struct DepthHistogram {
 struct ProfileOutcome {
     std::vector<ProfileResult> results;
     std::vector<DepthHistogram> histograms;
+    std::vector<GodrayResult> godrays;
 };
 
 struct ProfileRunOptions {

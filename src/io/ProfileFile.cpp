@@ -113,13 +113,30 @@ std::string nameOf(const fs::path& model) {
     return isName(name) ? name : "model";
 }
 
+/// A value as a scene's override has it.
+template <typename Value>
+std::string inlineToml(const Value& value) {
+    std::ostringstream text;
+    text << value;
+    return text.str();
+}
+
 std::string receiverToml(toml::table&& receiver) {
     receiver.is_inline(true);
     toml::array list;
     list.push_back(std::move(receiver));
-    std::ostringstream text;
-    text << list;
-    return text.str();
+    return inlineToml(list);
+}
+
+/// What a scene says in `[godrays]`, once for each way to be measured.
+void readGodrays(TomlTable& table, std::vector<std::string>& godrays) {
+    for (const toml::node* node : valuesOf(table, "godrays")) {
+        const toml::table* entry = node->as_table();
+        if (!entry) table.fail("godrays", "tables as a scene has them");
+        toml::table copy = *entry;
+        copy.is_inline(true);
+        godrays.push_back(inlineToml(copy));
+    }
 }
 
 void readReceivers(TomlTable& table, const fs::path& folder, std::vector<ProfileReceiver>& receivers) {
@@ -217,6 +234,7 @@ Profile loadProfile(const fs::path& file) {
     readWholes(table, "planes", maxPlanes, profile.planes);
     readWholes(table, "map_sizes", maxMapSize, profile.mapSizes);
     readGrids(table, profile.grids);
+    readGodrays(table, profile.godrays);
     readSettings(table, profile.settings);
     profile.warmup = readWhole(table, "warmup", profile.warmup, 0, 1000);
     profile.frames = readWhole(table, "frames", profile.frames, 1, 100000);

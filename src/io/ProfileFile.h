@@ -38,15 +38,16 @@ struct Profile {
     std::vector<Fill> fills; ///< of methods that have them
     std::vector<int> planes, mapSizes;
     std::vector<glm::ivec2> grids;
-    std::vector<Override> settings;           ///< of every scene
-    int warmup = 1;                           ///< untimed updates before each timed frame
-    int frames = 5;                           ///< timed ones of each combination
-    std::int64_t reference = 0;               ///< photons of the ground truth; 0: no error figures
-    bool reuse = false;                       ///< whether a timed frame may reuse what the one before it made
-    std::optional<Method> baseline;           ///< every map is compared with this method's
-    double time = 0;                          ///< s
-    glm::ivec2 picture{320, 180};             ///< pixels of a frame's picture
-    std::optional<PrintedTable> seconds;      ///< printed run times, s
+    std::vector<std::string> godrays;    ///< values of the scene's key `godrays`, each measured by itself
+    std::vector<Override> settings;      ///< of every scene
+    int warmup = 1;                      ///< untimed updates before each timed frame
+    int frames = 5;                      ///< timed ones of each combination
+    std::int64_t reference = 0;          ///< photons of the ground truth; 0: no error figures
+    bool reuse = false;                  ///< whether a timed frame may reuse what the one before it made
+    std::optional<Method> baseline;      ///< every map is compared with this method's
+    double time = 0;                     ///< s
+    glm::ivec2 picture{320, 180};        ///< pixels of a frame's picture
+    std::optional<PrintedTable> seconds; ///< printed run times, s
     std::optional<PrintedTable> actualPlanes; ///< printed numbers of planes after smart slicing
 };
 

@@ -164,6 +164,42 @@ reference = 20000)");
     EXPECT_EQ(std::filesystem::last_write_time(kept / "index.json"), written) << "traced once";
     EXPECT_EQ(results()["results"][2]["error"], first[2]["error"]);
 }
+
+constexpr const char* godrayProfile = R"(
+scene = "scene.toml"
+set = ["water.level=2", "camera.position=[0, 0.6, 2]", "camera.target=[0, 0.6, 0]", "water.scattering=[0.2, 0.2, 0.2]",
+       "water.grid=[32, 32]", "caustics.map_size=32"]
+frames = 1
+picture = [12, 8]
+reference = 40000
+[[godrays]]
+method = "photon-lines"
+scale = 1
+filter_taps = 0
+[[godrays]]
+method = "exact-shafts"
+scale = 1
+filter_taps = 0
+)";
+
+TEST_F(ProfileCommandGLTest, measuresGodraysAgainstSingleScattering) {
+    folder.write("rays.toml", godrayProfile);
+    const Result ran = run("profile " + path("rays.toml") + " -o " + path("out"));
+    ASSERT_EQ(ran.code, 0) << ran.out;
+    EXPECT_THAT(ran.out, HasSubstr("exact-shafts"));
+    const Json rays = results()["godrays"];
+    ASSERT_EQ(rays.size(), 2u);
+    for (const Json& result : rays) {
+        expectSpread(result["godrays_ms"]);
+        EXPECT_GT(result["gpu_bytes"], 0);
+        EXPECT_NEAR(result["error"]["flux_ratio"], 1, 0.05);
+        EXPECT_GT(result["error"]["standard_error"], 0);
+        EXPECT_LT(result["error"]["nmae"].get<double>(),
+                  result["error"]["standard_error"].get<double>() + 0.1);
+    }
+    EXPECT_TRUE(results()["results"].empty());
+    EXPECT_TRUE(std::filesystem::exists(path("out/godrays.csv")));
+}
 #endif
 
 TEST_F(ProfileCommandGLTest, doesWithoutGnuplotAndTakesModels) {
@@ -194,11 +230,16 @@ picture = [8, 8])");
 TEST_F(ProfileCommandGLTest, saysInOneLineWhatIsWrong) {
     folder.write("magic.toml", "scene = \"scene.toml\"\nmethods = [\"magic\"]\n");
     folder.write("lost.toml", "scene = \"lost-scene.toml\"\n");
+    folder.write("dry.toml", "scene = \"scene.toml\"\n[[godrays]]\nmethod = \"exact-shafts\"\n");
+    folder.write("flat.toml", "scene = \"scene.toml\"\ngodrays = [\"exact-shafts\"]\n");
     const std::string out = " -o " + path("out");
     const std::pair<std::string, std::string> cases[] = {
         {"profile " + path("magic.toml") + out, "magic.toml:2:11: methods: expected methods of level-map, "},
         {"profile " + path("lost.toml") + out,
          "lost-scene.toml: expected a file, found nothing of that name"},
+        {"profile " + path("dry.toml") + out, "godrays: expected a camera under the water, found none"},
+        {"profile " + path("flat.toml") + out,
+         "flat.toml:2:12: godrays: expected tables as a scene has them"},
         {"profile " + path("tiny.toml"), "--output is required"},
         {"profile " + path("tiny.toml") + " -o " + path("scene.toml"), "expected a folder to write to"},
         {"profile " + path("tiny.toml") + " " + path("tiny.toml") + out, "found two named \"tiny\""},
