@@ -1,5 +1,6 @@
 #include "io/SceneOverrides.h"
 
+#include <algorithm>
 #include <charconv>
 #include <string_view>
 
@@ -41,9 +42,9 @@ std::string tomlString(std::string_view text) {
 /// A table that holds the override's value under "value", its source set to `source`.
 toml::table parseValue(const std::string& text, const std::string& source) {
     try {
-        toml::table table = toml::parse(fmt::format("value = {}", text), source);
+        toml::table table = parseToml(fmt::format("value = {}", text), source);
         if (table.size() == 1 && table.contains("value")) return table;
-    } catch (const toml::parse_error&) {
+    } catch (const InputError&) {
         // A bare word: taken as a string below.
     }
     return parseToml(fmt::format("value = {}", tomlString(text)), source);
@@ -113,6 +114,9 @@ void enter(Walk& walk, std::string& path) {
 
 void applyOverride(toml::table& root, const Override& override) {
     const std::string source = oneLine(fmt::format("{}{}={}", overridePrefix, override.key, override.value));
+    // Each part may become a table in a table, which are freed by recursion; names may have 50 dots.
+    if (std::count(override.key.begin(), override.key.end(), '.') > 200)
+        throw InputError(fmt::format("{}: expected a key of fewer parts", source));
     Walk walk{&root, override.key, source};
     std::string path;
     while (walk.rest.find('.') != std::string_view::npos)

@@ -75,6 +75,58 @@ bool toWholeNumber(const toml::node& node, std::int64_t min, std::int64_t max, s
     return true;
 }
 
+/// toml++ makes and frees tables in tables by recursion. It lets values nest 256 deep, but each of them may
+/// bring a dotted key of any length; a scene has none of more than four parts.
+constexpr int maxKeyParts = 64;
+
+/// Past the string that begins at `at`; one that does not end is for the parser to find.
+std::size_t skipString(std::string_view text, std::size_t at) {
+    const std::string quotes(3, text[at]);
+    const bool multiLine = text.substr(at, 3) == quotes, escapes = text[at] == '"';
+    const std::string_view closing = std::string_view(quotes).substr(0, multiLine ? 3 : 1);
+    for (at += closing.size(); at < text.size(); ++at) {
+        if (escapes && text[at] == '\\') {
+            ++at;
+        } else if (text.substr(at, closing.size()) == closing) {
+            at += closing.size();
+            // Up to two quotes before the closing ones are the string's own.
+            for (int more = 0; multiLine && more < 2 && at < text.size() && text[at] == quotes[0]; ++more)
+                ++at;
+            return at;
+        } else if (!multiLine && text[at] == '\n') {
+            return at;
+        }
+    }
+    return text.size();
+}
+
+bool isKeyPart(char c) {
+    return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_' ||
+           c == '-' || c == ' ' || c == '\t';
+}
+
+void requireShortKeys(std::string_view text, const std::string& source) {
+    int parts = 1;
+    for (std::size_t at = 0; at < text.size();) {
+        const char c = text[at];
+        if (c == '"' || c == '\'') {
+            at = skipString(text, at);
+        } else if (c == '#') {
+            at = std::min(text.find('\n', at), text.size());
+        } else {
+            if (c == '.')
+                ++parts;
+            else if (!isKeyPart(c))
+                parts = 1;
+            ++at;
+        }
+        if (parts > maxKeyParts)
+            throw InputError(fmt::format(
+                "{}:{}: expected keys of at most {} parts, found a longer one", oneLine(source),
+                1 + std::count(text.begin(), text.begin() + std::ptrdiff_t(at), '\n'), maxKeyParts));
+    }
+}
+
 /// A key of an override has no place of its own, and a table on its way there has neither; the value has.
 const toml::source_region& firstSource(const toml::node& node) {
     const toml::table* table = node.as_table();
@@ -85,6 +137,7 @@ const toml::source_region& firstSource(const toml::node& node) {
 } // namespace
 
 toml::table parseToml(std::string_view text, const std::string& source) {
+    requireShortKeys(text, source);
     try {
         return toml::parse(text, source);
     } catch (const toml::parse_error& error) {

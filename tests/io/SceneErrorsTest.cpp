@@ -235,6 +235,40 @@ TEST(SceneFileErrorsTest, FilesThatAreNoScenes) {
     EXPECT_THAT(load("bytes.toml"), StartsWith("bytes.toml:1:1: expected valid TOML, found an error: "));
 }
 
+// toml++ goes down into them by recursion: files like these ended the program, with nothing said.
+TEST(SceneFileErrorsTest, KeysOfManyParts) {
+    const TempFolder folder;
+    std::string parts = "a";
+    for (int i = 0; i < 100'000; ++i)
+        parts += ".a";
+    for (const std::string& text : {parts + " = 1\n", "[" + parts + "]\n", "[[" + parts + "]]\n",
+                                    "[water]\nx = { " + parts + " = 1 }\n", "a = ''\n" + parts + " = 1\n",
+                                    "a = \"\"\"\"\"\"\"\n" + parts + " = 1\n", "'#'." + parts + " = 1\n"})
+        EXPECT_THAT(errorOf(folder, [&] { loadScene(folder.write("deep.toml", text)); }),
+                    HasSubstr(": expected keys of at most 64 parts, found a longer one"));
+    const auto file = folder.write("scene.toml", receiver);
+    EXPECT_THAT(errorOf(folder,
+                        [&] {
+                            loadScene(file, {{parts, "1"}});
+                        }),
+                HasSubstr("expected a key of fewer parts"));
+    EXPECT_EQ(errorOf(folder,
+                      [&] {
+                          loadScene(file, {{"receiver.0.name", parts.substr(0, 99)}});
+                      }),
+              "no error");
+    // Dots that separate nothing.
+    const std::string dots(500, '.');
+    const std::string harmless =
+        "# " + dots + "\n[[receiver]] # " + dots + "\nplane = { size = [1.5, 1.5] }\n";
+    EXPECT_EQ(errorOf(folder, [&] { loadScene(folder.write("dots.toml", harmless)); }), "no error");
+    for (const char* quotes : {"\"", "'", "\"\"\"", "'''"}) {
+        const std::string text = harmless + "[sky]\nx = " + quotes + "\\\\" + dots + quotes + "\n";
+        EXPECT_THAT(errorOf(folder, [&] { loadScene(folder.write("dots.toml", text)); }),
+                    HasSubstr("sky.x: unknown key"));
+    }
+}
+
 TEST(SceneFileErrorsTest, TooManyEntries) {
     const TempFolder folder;
     std::string text(receiver);
