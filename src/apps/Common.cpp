@@ -40,6 +40,10 @@ void addCommonOptions(CLI::App& command, CommonOptions& options) {
                      "do all work that skipping would save; the result is the same");
     command.add_option("--device", options.device,
                        "EGL device, by number or part of its name (see limpid info)");
+    command
+        .add_option("--gpu-memory", options.gpuMemory,
+                    "MiB of GPU memory at the most; what needs more ends with exit code 3")
+        ->check(CLI::Range(1.0, 1e9));
     command.add_flag("--quiet", options.quiet, "print errors only");
     command.add_flag("--verbose", options.verbose, "print times, planes and memory");
 }
@@ -67,6 +71,7 @@ Scene loadScene(const CommonOptions& options) {
 gl::ContextOptions contextOptions(const CommonOptions& options) {
     gl::ContextOptions context;
     context.device = options.device;
+    context.memory = std::int64_t(options.gpuMemory * (1 << 20));
 #ifndef NDEBUG
     context.debug = true;
 #endif

@@ -23,6 +23,7 @@ struct CommonOptions {
     std::vector<std::string> settings; ///< KEY=VALUE
     bool noSkip = false;
     std::string device;
+    double gpuMemory = 0; ///< MiB; 0: no limit
     bool quiet = false;
     bool verbose = false;
 };

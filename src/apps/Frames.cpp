@@ -1,16 +1,19 @@
 #include "apps/Frames.h"
 
+#include <algorithm>
 #include <charconv>
 #include <csignal>
 #include <cstdlib>
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include "apps/Common.h"
 #include "core/Error.h"
+#include "io/Files.h"
 
 namespace limpid::apps {
 
@@ -63,10 +66,12 @@ VideoWriter::VideoWriter(const std::filesystem::path& file, glm::ivec2 size, dou
     const std::string resolution = fmt::format("{}x{}", size.x, size.y), rate = fmt::format("{}", fps);
     int ends[2];
     if (pipe2(ends, O_CLOEXEC) != 0) throw InputError(fmt::format("{}: cannot start ffmpeg", file.string()));
+    _complaints = memfd_create("ffmpeg", MFD_CLOEXEC);
     std::signal(SIGPIPE, SIG_IGN); // ffmpeg's end is noticed by the write that fails
     _process = fork();
     if (_process == 0) {
         dup2(ends[0], STDIN_FILENO);
+        if (_complaints >= 0) dup2(_complaints, STDERR_FILENO);
         // yuv420p, which players expect, needs even sizes.
         execlp("ffmpeg", "ffmpeg", "-y", "-loglevel", "error", "-f", "rawvideo", "-pix_fmt", "rgb24", "-s",
                resolution.c_str(), "-r", rate.c_str(), "-i", "-", "-vf", "crop=trunc(iw/2)*2:trunc(ih/2)*2",
@@ -78,6 +83,7 @@ VideoWriter::VideoWriter(const std::filesystem::path& file, glm::ivec2 size, dou
 }
 
 VideoWriter::~VideoWriter() {
+    if (_complaints >= 0) close(_complaints);
     if (_pipe < 0) return;
     close(_pipe);
     waitpid(_process, nullptr, 0);
@@ -88,7 +94,9 @@ VideoWriter::~VideoWriter() {
 void VideoWriter::add(const std::uint8_t* rgb) {
     for (std::size_t sent = 0; sent < _frameBytes;) {
         const ssize_t bytes = write(_pipe, rgb + sent, _frameBytes - sent);
-        if (bytes <= 0) throw InputError(fmt::format("{}: cannot write: ffmpeg gave up", _file.string()));
+        if (bytes <= 0)
+            throw InputError(
+                fmt::format("{}: cannot write: ffmpeg gave up: {}", _file.string(), complaint()));
         sent += std::size_t(bytes);
     }
 }
@@ -99,11 +107,21 @@ void VideoWriter::finish() {
     int status = 0;
     waitpid(_process, &status, 0);
     std::error_code error;
-    if (status == 0) std::filesystem::rename(_partial, _file, error);
-    if (status == 0 && !error) return;
+    // On a full disk ffmpeg says so, and ends with status 0.
+    const bool good = status == 0 && complaint().empty();
+    if (good) std::filesystem::rename(_partial, _file, error);
+    if (good && !error) return;
+    const std::string why = error ? error.message() : complaint();
     std::filesystem::remove(_partial, error);
-    throw InputError(fmt::format("{}: cannot write: ffmpeg ended with status {}", _file.string(),
-                                 WIFEXITED(status) ? WEXITSTATUS(status) : -1));
+    throw InputError(fmt::format("{}: cannot write: ffmpeg ended with status {}: {}", _file.string(),
+                                 WIFEXITED(status) ? WEXITSTATUS(status) : -1, why));
+}
+
+/// What ffmpeg has said, on one line.
+std::string VideoWriter::complaint() const {
+    char text[1000];
+    const ssize_t bytes = _complaints >= 0 ? pread(_complaints, text, sizeof text, 0) : 0;
+    return io::oneLine(std::string_view(text, std::size_t(std::max<ssize_t>(bytes, 0))));
 }
 
 } // namespace limpid::apps

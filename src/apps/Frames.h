@@ -38,9 +38,11 @@ class VideoWriter {
     void finish();
 
   private:
+    std::string complaint() const;
     std::filesystem::path _file, _partial;
     std::size_t _frameBytes;
     int _pipe = -1;
+    int _complaints = -1; ///< a file in memory, which ffmpeg writes its errors to
     int _process = -1;
 };
 

@@ -1,7 +1,10 @@
+#include <csignal>
 #include <cstdio>
 #include <exception>
+#include <iostream>
 #include <new>
 #include <set>
+#include <system_error>
 
 #include <fmt/format.h>
 
@@ -12,8 +15,13 @@
 namespace {
 
 int fail(int code, const char* what) {
-    fmt::print(stderr, "limpid: {}\n", what);
+    std::fprintf(stderr, "limpid: %s\n", what); // unlike fmt's, it does not throw where nobody listens
     return code;
+}
+
+/// A full disk behind a redirection shows only at the end.
+int flushed() {
+    return std::cout.flush() && std::fflush(stdout) == 0 ? 0 : fail(2, "standard output: cannot write");
 }
 
 std::string commandNames(const CLI::App& app) {
@@ -68,7 +76,7 @@ int run(int argc, char** argv) {
                                    limpid::io::suggestion(extra, optionNames(app)))
                            .c_str());
     } catch (const CLI::ParseError& error) {
-        if (error.get_exit_code() == 0) return app.exit(error);
+        if (error.get_exit_code() == 0) return app.exit(error), flushed();
         if (argc < 2) {
             fmt::print(stderr, "{}", app.help());
             return 2;
@@ -80,14 +88,13 @@ int run(int argc, char** argv) {
                             .c_str());
         return fail(2, fmt::format("{} (see limpid --help)", error.what()).c_str());
     }
-    // A full disk behind a redirection shows only now.
-    if (std::fflush(stdout) != 0) return fail(2, "standard output: cannot write");
-    return 0;
+    return flushed();
 }
 
 } // namespace
 
 int main(int argc, char** argv) {
+    std::signal(SIGXFSZ, SIG_IGN); // past a limit of file sizes: the write that fails tells
     try {
         return run(argc, argv);
     } catch (const limpid::apps::Exit& exit) {
@@ -96,6 +103,8 @@ int main(int argc, char** argv) {
         return fail(2, error.what());
     } catch (const limpid::GraphicsError& error) {
         return fail(3, error.what());
+    } catch (const std::system_error& error) { // as fmt has it for standard output
+        return fail(2, error.what());
     } catch (const std::bad_alloc&) {
         return fail(3, "out of memory");
     } catch (const std::exception& error) {

@@ -34,6 +34,7 @@ void view(ViewOptions& options, std::chrono::steady_clock::time_point begin) {
     if (!options.compare.empty() && !viewer.compare)
         throw InputError(
             fmt::format("--compare: expected the name of a method, found \"{}\"", options.compare));
+    viewer.gpuMemory = contextOptions(options.common).memory;
     viewer.noSkip = options.common.noSkip;
     viewer.verbose = options.common.verbose;
     viewer::show(viewer);

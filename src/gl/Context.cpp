@@ -174,7 +174,7 @@ Context::Context(const ContextOptions& options)
     if (_egl->context == EGL_NO_CONTEXT)
         throw GraphicsError(fmt::format("EGL: expected a device with OpenGL 4.5 core, found {} without it",
                                         listOf(described)));
-    listenAndQuery(options.debug, _egl->platform);
+    listenAndQuery(options, _egl->platform);
 }
 
 Context::Context(Current, const ContextOptions& options)
@@ -184,11 +184,12 @@ Context::Context(Current, const ContextOptions& options)
     if (const int version = epoxy_gl_version(); version < 45)
         throw GraphicsError(fmt::format("expected a window with OpenGL 4.5 core, found {}.{} by {}",
                                         version / 10, version % 10, glString(GL_RENDERER)));
-    listenAndQuery(options.debug, "window");
+    listenAndQuery(options, "window");
 }
 
-void Context::listenAndQuery(bool debug, const std::string& platform) {
-    if (debug) {
+void Context::listenAndQuery(const ContextOptions& options, const std::string& platform) {
+    _ledger.setLimit(options.memory);
+    if (options.debug) {
         glEnable(GL_DEBUG_OUTPUT);
         glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
         glDebugMessageCallback(onDebugMessage, &_onMessage);

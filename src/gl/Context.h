@@ -12,7 +12,8 @@ namespace limpid::gl {
 struct ContextOptions {
     std::string
         device; ///< EGL device by number or part of its name; empty: the first with hardware, else any
-    bool debug = false; ///< debug context whose messages go to `onMessage`
+    std::int64_t memory = 0; ///< bytes on the GPU at the most; 0: as many as the driver gives
+    bool debug = false;      ///< debug context whose messages go to `onMessage`
     /// Receives each message of high or medium severity. Without it, errors go to stderr.
     std::function<void(const std::string&)> onMessage;
 };
@@ -55,7 +56,7 @@ class Context {
 
   private:
     struct Egl;
-    void listenAndQuery(bool debug, const std::string& platform);
+    void listenAndQuery(const ContextOptions& options, const std::string& platform);
     std::unique_ptr<Egl> _egl;
     std::function<void(const std::string&)> _onMessage;
     Ledger _ledger;

@@ -34,10 +34,12 @@ int bytesPerTexel(GLenum format) {
 }
 
 /// A driver reports out-of-memory as an error after the call; nothing else of the program's own calls can
-/// fail.
-void checkAllocation(const std::string& kind, std::int64_t bytes) {
+/// fail. A constructor that throws has no destructor run, so what there is goes by `undo`.
+template <typename Undo>
+void checkAllocation(const std::string& kind, std::int64_t bytes, Undo undo) {
     const GLenum error = glGetError();
     if (error == GL_NO_ERROR) return;
+    undo();
     throw GraphicsError(
         fmt::format("{}: expected room for {} bytes on the GPU, found {}", kind, bytes,
                     error == GL_OUT_OF_MEMORY ? "out of memory" : fmt::format("GL error {:#x}", error)));
@@ -47,10 +49,11 @@ void checkAllocation(const std::string& kind, std::int64_t bytes) {
 
 Buffer::Buffer(Ledger& ledger, std::string kind, std::int64_t bytes, const void* data)
     : _bytes(std::max<std::int64_t>(bytes, 16)), _kind(std::move(kind)), _ledger(&ledger) {
+    ledger.require(_kind, _bytes);
     glCreateBuffers(1, &_id);
     glNamedBufferStorage(_id, _bytes, _bytes == bytes ? data : nullptr, GL_DYNAMIC_STORAGE_BIT);
     glObjectLabel(GL_BUFFER, _id, -1, _kind.c_str());
-    checkAllocation(_kind, _bytes);
+    checkAllocation(_kind, _bytes, [this] { glDeleteBuffers(1, &_id); });
     if (data && _bytes != bytes && bytes > 0) write(0, bytes, data);
     _ledger->add(_kind, _bytes);
 }
@@ -109,6 +112,7 @@ Texture::Texture(Ledger& ledger, std::string kind, GLenum internalFormat, glm::i
     : _format(internalFormat), _size(size), _levels(levelsOf(size, mipmaps)), _layers(layers.count),
       _bytes(textureBytes(size, _levels, internalFormat) * std::max(_layers, 1)), _kind(std::move(kind)),
       _ledger(&ledger) {
+    ledger.require(_kind, _bytes);
     glCreateTextures(_layers > 0 ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D, 1, &_id);
     if (_layers > 0)
         glTextureStorage3D(_id, _levels, internalFormat, size.x, size.y, _layers);
@@ -116,7 +120,7 @@ Texture::Texture(Ledger& ledger, std::string kind, GLenum internalFormat, glm::i
         glTextureStorage2D(_id, _levels, internalFormat, size.x, size.y);
     setFilter(GL_NEAREST, GL_CLAMP_TO_EDGE);
     glObjectLabel(GL_TEXTURE, _id, -1, _kind.c_str());
-    checkAllocation(_kind, _bytes);
+    checkAllocation(_kind, _bytes, [this] { glDeleteTextures(1, &_id); });
     _ledger->add(_kind, _bytes);
 }
 

@@ -2,6 +2,10 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
+#include "core/Error.h"
+
 namespace limpid::gl {
 
 void Ledger::add(std::string_view kind, std::int64_t bytes) {
@@ -11,6 +15,13 @@ void Ledger::add(std::string_view kind, std::int64_t bytes) {
     if (entry->second == 0) _byKind.erase(entry);
     _total += bytes;
     _peak = std::max(_peak, _total);
+}
+
+void Ledger::require(std::string_view kind, std::int64_t bytes) const {
+    if (_limit > 0 && bytes > _limit - _total)
+        throw GraphicsError(fmt::format(
+            "{}: expected room for {} bytes on the GPU, found {} of the {} that are allowed (--gpu-memory)",
+            kind, bytes, std::max<std::int64_t>(_limit - _total, 0), _limit));
 }
 
 std::int64_t Ledger::bytes(std::string_view kind) const {

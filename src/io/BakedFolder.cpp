@@ -65,8 +65,7 @@ void prepareFolder(const std::filesystem::path& folder) {
 
 void writeBake(const std::filesystem::path& folder, const Bake& bake) {
     prepareFolder(folder);
-    std::error_code error;
-    std::filesystem::remove(folder / "index.json", error);
+    StagedFolder staged(folder);
     Json index = {{"limpid", LIMPID_VERSION}, {"device", bake.device},
                   {"input", bake.input},      {"method", bake.method},
                   {"time", bake.time},        {"origin", {bake.origin.x, bake.origin.y, bake.origin.z}}};
@@ -75,14 +74,16 @@ void writeBake(const std::filesystem::path& folder, const Bake& bake) {
     for (const BakedLight& light : bake.lights)
         index["lights"].push_back(lightJson(light));
     for (const BakedMap& map : bake.maps) {
-        writeExr(folder / fileName(map, "irradiance"), map.size.x, map.size.y, {"R", "G", "B"},
+        writeExr(staged.path() / fileName(map, "irradiance"), map.size.x, map.size.y, {"R", "G", "B"},
                  map.irradiance);
-        writeExr(folder / fileName(map, "position"), map.size.x, map.size.y, {"R", "G", "B", "A"},
+        writeExr(staged.path() / fileName(map, "position"), map.size.x, map.size.y, {"R", "G", "B", "A"},
                  map.position);
-        writeExr(folder / fileName(map, "normal"), map.size.x, map.size.y, {"R", "G", "B"}, map.normal);
+        writeExr(staged.path() / fileName(map, "normal"), map.size.x, map.size.y, {"R", "G", "B"},
+                 map.normal);
         index["maps"].push_back(mapJson(map));
     }
-    writeText(folder / "index.json", index.dump(2) + "\n");
+    writeText(staged.path() / "index.json", index.dump(2) + "\n");
+    staged.appear("index.json");
 }
 
 } // namespace limpid::io

@@ -44,7 +44,8 @@ struct Bake {
 void prepareFolder(const std::filesystem::path& folder);
 
 /// Writes `index.json` and the EXR files of every map into `folder`, which is made if need be; the index
-/// comes last, so that a folder with an index is whole. Throws InputError when it cannot be written.
+/// comes last, so that a folder with an index is whole. Throws InputError when it cannot be written, and then
+/// leaves what stood there.
 void writeBake(const std::filesystem::path& folder, const Bake& bake);
 
 /// Reads a whole baked folder. Throws InputError: file, place in it, expected, found.

@@ -75,6 +75,41 @@ void writeWhole(const fs::path& file, const std::function<void(const fs::path&)>
     }
 }
 
+namespace {
+
+[[noreturn]] void failWriting(const fs::path& file, const std::string& reason) {
+    throw InputError(fmt::format("{}: cannot write: {}", oneLine(file.string()), oneLine(reason)));
+}
+
+} // namespace
+
+StagedFolder::StagedFolder(fs::path folder)
+    : _folder(std::move(folder)), _staged(_folder / fmt::format(".partial-{}", ::getpid())) {
+    std::error_code error;
+    fs::create_directory(_staged, error);
+    if (error) failWriting(_folder, error.message());
+}
+
+StagedFolder::~StagedFolder() {
+    std::error_code ignored;
+    fs::remove_all(_staged, ignored);
+}
+
+void StagedFolder::appear(const std::string& index) {
+    std::vector<fs::path> names;
+    for (const auto& entry : fs::directory_iterator(_staged))
+        if (entry.path().filename() != index) names.push_back(entry.path().filename());
+    names.emplace_back(index);
+    for (const fs::path& name : names)
+        if (fs::is_directory(_folder / name)) failWriting(_folder / name, "it is a folder");
+    std::error_code error;
+    fs::remove(_folder / index, error);
+    for (const fs::path& name : names) {
+        if (!error) fs::rename(_staged / name, _folder / name, error);
+        if (error) failWriting(_folder / name, error.message());
+    }
+}
+
 void writeText(const fs::path& file, const std::string& text) {
     writeWhole(file, [&](const fs::path& partial) {
         std::ofstream stream(partial, std::ios::binary);

@@ -25,6 +25,28 @@ std::vector<std::uint8_t> readBytes(const std::filesystem::path& file);
 void writeWhole(const std::filesystem::path& file,
                 const std::function<void(const std::filesystem::path& partial)>& write);
 
+/// Files that belong together in a folder: they are written in a hidden one inside of it, and what stands in
+/// the folder stays as it is until all are there.
+class StagedFolder {
+  public:
+    /// `folder` exists. Throws InputError if it cannot be written to.
+    explicit StagedFolder(std::filesystem::path folder);
+    /// What has not appeared is gone.
+    ~StagedFolder();
+    StagedFolder(const StagedFolder&) = delete;
+    StagedFolder& operator=(const StagedFolder&) = delete;
+
+    /// Where to write them.
+    const std::filesystem::path& path() const { return _staged; }
+
+    /// Puts the files in their place. `index`, which tells of the others, is gone before the first of them
+    /// and comes last. Throws InputError.
+    void appear(const std::string& index);
+
+  private:
+    std::filesystem::path _folder, _staged;
+};
+
 void writeText(const std::filesystem::path& file, const std::string& text);
 
 } // namespace limpid::io

@@ -2,8 +2,12 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
 #include <stdexcept>
 
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
@@ -16,15 +20,25 @@ namespace limpid::io {
 
 namespace {
 
-/// 16 GiB of floats: more than any map or picture here has, less than what a broken header can claim.
-constexpr std::int64_t maxNumbers = std::int64_t(1) << 32;
+/// 1 GiB of floats is given to any file, as a picture of one colour takes a few bytes; beyond, what its
+/// compressed bytes can stand for (deflate makes 1032 of one), so that a broken header gets no memory for its
+/// claims.
+constexpr std::int64_t freeNumbers = std::int64_t(1) << 28, numbersPerByte = 1032;
 
+/// The library writes PNG without a look at whether the disk takes it, so it writes to memory, and we to the
+/// disk.
 void writeImage(const fs::path& file, const OIIO::ImageSpec& spec, OIIO::TypeDesc type, const void* data) {
     writeWhole(file, [&](const fs::path& partial) {
-        const auto output = OIIO::ImageOutput::create(partial.string());
+        OIIO::Filesystem::IOVecOutput bytes;
+        const auto output = OIIO::ImageOutput::create(partial.string(), &bytes);
         if (!output) throw std::runtime_error(OIIO::geterror());
         if (!output->open(partial.string(), spec) || !output->write_image(type, data) || !output->close())
             throw std::runtime_error(output->geterror());
+        std::ofstream stream(partial, std::ios::binary);
+        stream.write(reinterpret_cast<const char*>(bytes.buffer().data()),
+                     std::streamsize(bytes.buffer().size()));
+        stream.close();
+        if (!stream) throw std::runtime_error(std::strerror(errno));
     });
 }
 
@@ -80,8 +94,10 @@ FloatImage readImage(const fs::path& file) {
                      spec.channelnames, {}};
     if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1 || spec.depth > 1)
         failReading(file, "it has no pixels of two dimensions");
-    if (std::int64_t(spec.width) * spec.height > maxNumbers / spec.nchannels)
-        failReading(file, fmt::format("{} x {} pixels are too many", spec.width, spec.height));
+    const std::int64_t most = std::max(freeNumbers, numbersPerByte * std::int64_t(fs::file_size(file)));
+    if (std::int64_t(spec.width) * spec.height > most / spec.nchannels)
+        failReading(
+            file, fmt::format("{} x {} pixels are too many for a file of its size", spec.width, spec.height));
     image.data.resize(std::size_t(spec.width) * std::size_t(spec.height) * std::size_t(spec.nchannels));
     if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeFloat, image.data.data()))
         failReading(file, input->geterror());

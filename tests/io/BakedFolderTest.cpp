@@ -79,6 +79,24 @@ TEST(BakedFolderTest, comesBackAsItWas) {
     }
 }
 
+TEST(BakedFolderTest, whatCannotBeWrittenLeavesTheOneBefore) {
+    const TempFolder folder;
+    const auto out = folder.path() / "maps";
+    writeBake(out, bakeOf({floorMap(1, 2)}));
+    Bake other = bakeOf({floorMap(3, 4), floorMap(5, 6)});
+    other.maps[1].receiver = "wall";
+    std::filesystem::create_directories(out / "wall.sun.normal.exr"); // in the way of its last map
+    EXPECT_EQ(errorOf(folder, [&] { writeBake(out, other); }),
+              "maps/wall.sun.normal.exr: cannot write: it is a folder");
+    const Bake kept = readBake(out);
+    ASSERT_EQ(kept.maps.size(), 1u);
+    EXPECT_EQ(kept.maps[0].irradiance[3], 2);
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(out), {}), 5) << "and nothing besides";
+    std::filesystem::remove(out / "wall.sun.normal.exr");
+    writeBake(out, other);
+    EXPECT_EQ(readBake(out).maps[0].irradiance[3], 4);
+}
+
 TEST(BakedFolderTest, saysWhatIsWrongWithIt) {
     const TempFolder folder;
     const auto error = [&] { return errorOf(folder, [&] { readBake(folder.path()); }); };

@@ -38,12 +38,13 @@ Window::Options windowOptions(const Options& options) {
     return window;
 }
 
-gl::ContextOptions contextOptions() {
-    gl::ContextOptions options;
+gl::ContextOptions contextOptions(const Options& options) {
+    gl::ContextOptions context;
+    context.memory = options.gpuMemory;
 #ifndef NDEBUG
-    options.debug = true;
+    context.debug = true;
 #endif
-    return options;
+    return context;
 }
 
 State::Side sideNamed(const std::string& name) {
@@ -58,7 +59,7 @@ class Viewer {
   public:
     explicit Viewer(const Options& options)
         : _options(options), _window(windowOptions(options)),
-          _context(gl::Context::Current{}, contextOptions()), _stage(_context, !options.noSkip) {
+          _context(gl::Context::Current{}, contextOptions(options)), _stage(_context, !options.noSkip) {
         _state.time = options.time;
         _state.playing = options.play;
         _state.side = sideNamed(options.panel);

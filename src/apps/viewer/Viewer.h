@@ -1,5 +1,6 @@
 #pragma once
 #include <chrono>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -25,6 +26,7 @@ struct Options {
     std::optional<Method> compare;    ///< a second method
     std::filesystem::path screenshot; ///< empty: none
     int afterFrames = 1;              ///< screenshot: frames with a complete picture before it
+    std::int64_t gpuMemory = 0;       ///< bytes; 0: no limit
     bool noSkip = false;
     bool verbose = false;
 };
