@@ -20,7 +20,7 @@ vec3 sceneRange(ivec2 low, ivec2 high) {
     ivec2 size = textureSize(scenePyramid, 0);
     if (any(lessThan(high, ivec2(0))) || any(greaterThanEqual(low, size))) return vec3(1e30);
     ivec2 a = clamp(low, ivec2(0), size - 1), b = clamp(high, ivec2(0), size - 1), span = b - a;
-    int level = findMSB(max(span.x, span.y)) + 1;
+    int level = min(findMSB(max(span.x, span.y)) + 1, textureQueryLevels(scenePyramid) - 1);
     ivec2 last = max(size >> level, 1) - 1; // as depth_pyramid.glsl has it
     a = min(a >> level, last), b = min(b >> level, last);
     vec3 p = texelFetch(scenePyramid, a, level).xyz, q = texelFetch(scenePyramid, b, level).xyz;

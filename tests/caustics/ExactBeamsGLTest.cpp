@@ -91,6 +91,24 @@ TEST_F(ExactBeamsGLTest, lightAlongFlanksIsTheSameInEveryRun) {
     EXPECT_LT(std::abs(flux.residual()), 0.002 * flux.entering);
 }
 
+TEST_F(ExactBeamsGLTest, flanksOfAnyMapSizeTakeTheirLight) {
+    // Waves, sun and box are even about the middle: opposite flanks are lit alike, but for how the water is
+    // cut into triangles. No side of these maps is a power of two.
+    Scene scene;
+    scene.receivers = {scenes::shape("block", makeBox({0.6, 0.5, 0.4}, glm::vec3(0.8f)), {0, -0.8, 0})};
+    scene.lights = {scenes::sunAt(0)};
+    scene.water.waves = {scenes::cosine(0.012, 0.4, {1, 0.3}), scenes::cosine(0.01, 0.3, {-0.4, 1})};
+    scene.water.grid = {96, 96};
+    for (const Method method : {Method::ExactBeam, Method::LevelMap}) {
+        scene.caustics.method = method;
+        scene.caustics.mapSize = 120;
+        const Baked baked = bake(scene);
+        ASSERT_EQ(baked.maps.size(), 5u) << "one from above, four flanks";
+        EXPECT_GT(baked.maps[2].deposited, 0);
+        EXPECT_NEAR(baked.maps[4].deposited / baked.maps[2].deposited, 1, 0.05) << methodName(method);
+    }
+}
+
 TEST_F(ExactBeamsGLTest, aFewLargeBeamsLightAsManySmall) {
     // Flat water, so that nothing but the way of depositing differs: 18 beams of tens of thousands of texels
     // are shared out among many invocations, 73,728 small ones are not.
