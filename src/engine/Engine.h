@@ -99,6 +99,9 @@ class Engine {
 
     /// Water at `time` (s), beams, level maps, caustic maps: thesis figure 4-17.
     void updateCaustics(double time);
+    /// What pictures at `time` need: caustics that may be of an earlier time (CausticsSettings::refresh),
+    /// under water of this one.
+    void updateForPictures(double time);
     /// What the last update left out, and what was drawn since.
     /// Waits for the GPU.
     Skipped skipped() const;
@@ -120,8 +123,7 @@ class Engine {
     /// one call to the next. A picture has 2 · 2 samples a pixel; fewer are faster.
     PicturePass::Sketch beginPicture(glm::ivec2 size, int perPixel);
     void drawRows(const PicturePass::Sketch& sketch, glm::ivec2 rows);
-    /// updateCaustics for those maps that the picture can show, then draw. Here alone caustics may be of an
-    /// earlier time than the water (CausticsSettings::refresh).
+    /// updateForPictures for those maps that the picture can show, then draw.
     Picture render(double time, glm::ivec2 size);
 
     /// Off: all work is done that skipping would save (engine/Skipped.h). The result is the same.
@@ -149,6 +151,7 @@ class Engine {
     std::vector<bool> shownMaps(glm::ivec2 size);
     void fitMaps(glm::ivec2 size);
     double causticsTime(double time) const;
+    void moveWater(double time);
     void prepareMaps(ReceiverMaps& maps);
     LitReceiver litReceiver(const ReceiverMaps& maps) const;
     void drawLevelMap(ReceiverMaps& maps);

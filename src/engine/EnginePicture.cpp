@@ -103,6 +103,18 @@ double Engine::causticsTime(double time) const {
     return refresh > 0 ? std::floor(time * refresh + 1e-9) / refresh : time;
 }
 
+void Engine::moveWater(double time) {
+    if (!moves(_scene.water) || time == _waterTime) return;
+    Scope scope(_timers, "water");
+    _surface.update(_scene.water, _patch, _origin, time);
+    _waterTime = time;
+}
+
+void Engine::updateForPictures(double time) {
+    updateCaustics(causticsTime(time));
+    moveWater(time);
+}
+
 Picture Engine::render(double time, glm::ivec2 size) {
     updateSurface(causticsTime(time));
     fitMaps(size);
@@ -113,11 +125,7 @@ Picture Engine::render(double time, glm::ivec2 size) {
         else
             ++(isUnlit(_maps[i]) ? _skipped.unlitMaps : _skipped.outOfView);
     }
-    if (moves(_scene.water) && time != _waterTime) {
-        Scope scope(_timers, "water");
-        _surface.update(_scene.water, _patch, _origin, time);
-        _waterTime = time;
-    }
+    moveWater(time);
     return draw(size);
 }
 

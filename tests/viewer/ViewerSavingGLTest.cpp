@@ -64,7 +64,9 @@ TEST_F(ViewerSavingGLTest, everyKindOfSceneIsSavedAsItIsShown) {
     const std::string depths =
         "[camera]\nposition = [0.9, -0.5, 1.6]\ntarget = [0, -0.3, 0]\n[godrays]\nmethod = \"photon-lines\"\n"
         "grid = [20, 20]\nscale = 0.5\n[water]\ngrid = [24, 24]\ntype = \"coastal\"\npreset = \"breeze\"\n";
-    const std::string objects = std::string(pond).substr(std::string(pond).find("[[light]]"));
+    // Caustics of the start, for longer than the step of time below.
+    const std::string objects =
+        std::string(pond).substr(std::string(pond).find("[[light]]")) + "refresh = 10\n";
     for (const auto& [water, method] : {std::pair(sea, "level-map-smart"), std::pair(rain, "photon-splat"),
                                         std::pair(depths, "exact-beam")}) {
         SCOPED_TRACE(water);

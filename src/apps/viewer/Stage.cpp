@@ -116,7 +116,7 @@ void Stage::makeMaps(std::size_t step) {
             if (i == 1) scene.caustics.method = *_wanted.other;
             _engines[i]->setScene(std::move(scene));
         }
-        _engines[i]->updateCaustics(_wanted.time);
+        _engines[i]->updateForPictures(_wanted.time);
     }
     _sceneChanged = _lightChanged = false;
     _mapStep = step;
