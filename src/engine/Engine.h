@@ -136,7 +136,7 @@ class Engine {
   private:
     void setReceivers(const Scene& scene);
     template <typename Use>
-    auto withPicture(glm::ivec2 size, Use&& use);
+    auto withPicture(glm::ivec2 size, bool goesOn, Use&& use);
     void updateSurface(double time);
     void updateLight(int light);
     void prepareDisc(int light, const LightFrameData& middle);
@@ -190,6 +190,7 @@ class Engine {
     std::unique_ptr<StencilVolumes> _stencil;  ///< likewise
     std::unique_ptr<PhotonSplat> _photonSplat; ///< likewise
     FluxAudit _fluxAudit;
+    const gl::Texture* _godrays = nullptr;           ///< of the picture that was begun last; null for none
     std::unique_ptr<GodrayTarget> _godrayTarget;     ///< made for the first picture that shows some
     std::unique_ptr<PhotonLines> _photonLines;       ///< likewise
     std::unique_ptr<ExactShafts> _exactShafts;       ///< likewise

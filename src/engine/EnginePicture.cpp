@@ -129,9 +129,10 @@ Picture Engine::render(double time, glm::ivec2 size) {
     return draw(size);
 }
 
-/// Calls `use` with the picture pass and its inputs for a picture of `size`.
+/// Calls `use` with the picture pass and its inputs for a picture of `size`; `goesOn`: one that was begun
+/// before.
 template <typename Use>
-auto Engine::withPicture(glm::ivec2 size, Use&& use) {
+auto Engine::withPicture(glm::ivec2 size, bool goesOn, Use&& use) {
     fitMaps(size);
     const std::vector<bool> shown = shownMaps(size);
     std::vector<Lit> lit;
@@ -142,7 +143,7 @@ auto Engine::withPicture(glm::ivec2 size, Use&& use) {
         lit.push_back({maps.receiver, &maps.level, &maps.caustics});
     }
     drawLampShadows();
-    const gl::Texture* godrays = drawGodrays(size);
+    if (!goesOn) _godrays = drawGodrays(size);
     if (!_picturePass) _picturePass = std::make_unique<PicturePass>(_context);
     Scope scope(_timers, "picture");
     std::vector<const Beams*> lights;
@@ -150,22 +151,25 @@ auto Engine::withPicture(glm::ivec2 size, Use&& use) {
         lights.push_back(&state.beams);
     const bool rests = _reuse && _pictureHasLight;
     _pictureHasLight = true;
-    _skipped.unreadPasses += std::int64_t(_maps.size() - lit.size()); // that make maps ready to be projected
+    // That make maps ready to be projected.
+    if (!goesOn) _skipped.unreadPasses += std::int64_t(_maps.size() - lit.size());
     return use(*_picturePass, PicturePass::Inputs{_scene, _origin, _patch, _surface.mesh(), _sides,
-                                                  _receivers, lit, lights, godrays, rests});
+                                                  _receivers, lit, lights, _godrays, rests});
 }
 
 Picture Engine::draw(glm::ivec2 size) {
-    return withPicture(size, [&](PicturePass& pass, const auto& inputs) { return pass.draw(inputs, size); });
+    return withPicture(size, false,
+                       [&](PicturePass& pass, const auto& inputs) { return pass.draw(inputs, size); });
 }
 
 PicturePass::Sketch Engine::beginPicture(glm::ivec2 size, int perPixel) {
-    return withPicture(
-        size, [&](PicturePass& pass, const auto& inputs) { return pass.begin(inputs, size, perPixel); });
+    return withPicture(size, false, [&](PicturePass& pass, const auto& inputs) {
+        return pass.begin(inputs, size, perPixel);
+    });
 }
 
 void Engine::drawRows(const PicturePass::Sketch& sketch, glm::ivec2 rows) {
-    withPicture(sketch.samples().size() / sketch.perPixel(),
+    withPicture(sketch.samples().size() / sketch.perPixel(), true,
                 [&](PicturePass& pass, const auto& inputs) { pass.drawRows(inputs, sketch, rows); });
 }
 
