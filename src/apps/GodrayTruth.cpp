@@ -3,9 +3,6 @@
 #include <fmt/format.h>
 
 #ifdef LIMPID_WITH_REFERENCE
-#include <cstring>
-#include <span>
-
 #include <nlohmann/json.hpp>
 
 #include "io/Files.h"
@@ -24,21 +21,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Changes with what the camera sees and what the water scatters (FNV-1a over their bits).
+/// Changes with what the camera sees and what the water scatters.
 std::uint64_t viewFingerprint(const Scene& scene) {
     const Camera& camera = scene.camera;
-    const glm::dvec3 position = *camera.position, target = *camera.target, &s = scene.water.scattering;
-    const double numbers[] = {
-        position.x,  position.y,  position.z,         target.x, target.y, target.z, camera.up.x,
-        camera.up.y, camera.up.z, camera.verticalFov, s.x,      s.y,      s.z,      scene.water.anisotropy};
-    std::uint64_t hash = 14695981039346656037u;
-    for (const double number : numbers) {
-        std::uint64_t bits;
-        std::memcpy(&bits, &number, sizeof(bits));
-        for (int i = 0; i < 64; i += 8)
-            hash = (hash ^ (bits >> unsigned(i) & 255)) * 1099511628211u;
-    }
-    return hash;
+    Hash hash;
+    hash(*camera.position, *camera.target, camera.up, camera.verticalFov, scene.water.scattering,
+         scene.water.anisotropy);
+    return hash.value();
 }
 
 ScatteredPicture readKept(const fs::path& kept) {

@@ -22,10 +22,6 @@ enum ResolveUniform { WattsPerStep, Channels };
 constexpr int groupSize = 64;
 constexpr glm::ivec2 resolveGroupSize{8, 8};
 
-/// Steps of a sum for the light of one unfocused texel: rounding is then below a float's, and the lower word
-/// holds a thousandfold focus.
-constexpr double stepsPerTexel = 1 << 22;
-
 /// Touches of quads that may be shaded, which wait for their pass: 16 MiB of them. Quads beyond are walked as
 /// wide ones are.
 constexpr std::int64_t mostTouches = 1 << 21;
@@ -42,10 +38,6 @@ struct TouchWork {
     std::uint32_t groups[3]{0, 1, 1};
     std::int32_t asked = 0, count[2]{};
 };
-
-double fluxPerStep(const ExactBeams::Inputs& inputs) {
-    return unfocusedFlux(inputs.map, inputs.light) / stepsPerTexel;
-}
 
 } // namespace
 
@@ -129,7 +121,7 @@ void ExactBeams::bindSums(const Inputs& inputs) {
 void ExactBeams::deposit(const Inputs& inputs) {
     if (inputs.beams.strength == glm::dvec3(0)) return;
     bindSums(inputs);
-    const double stepsPerFlux = 1 / (fluxPerStep(inputs) * inputs.points);
+    const double stepsPerFlux = 1 / (fluxPerStep(inputs.map, inputs.light) * inputs.points);
     const bool coloured = channelsOf(inputs.colours, inputs.water) > 1;
     const bool extinction = inputs.water.absorption + inputs.water.scattering != glm::dvec3(0);
     const bool mayBeShaded = inputs.sceneDepth || inputs.beams.surfaceShadow;
@@ -166,8 +158,8 @@ void ExactBeams::resolve(CausticMap& caustics, const Inputs& inputs) {
     inputs.map.normal.bind(0);
     inputs.planes.planes.bind(1);
     caustics.irradiance.bindImage(0, GL_WRITE_ONLY);
-    _resolve.set(WattsPerStep,
-                 glm::vec3(inputs.beams.strength * (fluxPerStep(inputs) / inputs.map.frame.texelArea())));
+    _resolve.set(WattsPerStep, glm::vec3(inputs.beams.strength * (fluxPerStep(inputs.map, inputs.light) /
+                                                                  inputs.map.frame.texelArea())));
     _resolve.set(Channels, channelsOf(inputs.colours, inputs.water));
     _resolve.dispatch2D(size, resolveGroupSize);
     glMemoryBarrier(GL_ALL_BARRIER_BITS);

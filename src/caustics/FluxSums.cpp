@@ -15,6 +15,10 @@ double unfocusedFlux(const LevelMap& map, const Light& light) {
     return area / std::max(glm::dot(away, away), 1e-12);
 }
 
+double fluxPerStep(const LevelMap& map, const Light& light) {
+    return unfocusedFlux(map, light) * 0x1p-22;
+}
+
 void FluxSums::bind(std::int64_t count) {
     const std::int64_t bytes = 8 * count;
     if (_sums.bytes() < bytes) {

@@ -29,6 +29,10 @@ class FluxSums {
 /// m², or the solid angle that it has about at the lamp, sr.
 double unfocusedFlux(const LevelMap& map, const Light& light);
 
+/// Flux of one step of the sums, of which the light of an unfocused texel has 2²²: rounding is then below a
+/// float's, and the lower word holds a thousandfold focus.
+double fluxPerStep(const LevelMap& map, const Light& light);
+
 /// Whether three numbers, by colour channel, are one.
 inline bool isGrey(const glm::dvec3& v) {
     return v.x == v.y && v.y == v.z;

@@ -28,9 +28,6 @@ enum ResolveUniform { WattsPerStep, Channels, Filtered };
 constexpr int groupSize = 64;
 constexpr glm::ivec2 mapGroupSize{8, 8};
 
-/// As for exact beams: rounding is lost in a float.
-constexpr double stepsPerTexel = 1 << 22;
-
 /// a, b, least and greatest size of the splats of a receiver, texels.
 glm::vec4 splatOf(const PhotonSplat::Inputs& inputs) {
     double nearest = 1e300, farthest = 0;
@@ -108,10 +105,10 @@ void PhotonSplat::filter(const Inputs& inputs, int channels) {
 void PhotonSplat::fill(CausticMap& caustics, const Inputs& inputs) {
     caustics.resize(_context, inputs.map.frame.size);
     const glm::ivec2 size = inputs.map.frame.size;
-    const int channels = isGrey(inputs.scene.water.absorption + inputs.scene.water.scattering) ? 1 : 3;
+    const int channels = channelsOf(Colours::AsNeeded, inputs.scene.water);
     const bool filtered = inputs.scene.caustics.filterTaps > 0;
     reserveSums((std::int64_t(size.x) * size.y + 2) * channels, filtered);
-    const double perStep = unfocusedFlux(inputs.map, inputs.light) / stepsPerTexel;
+    const double perStep = fluxPerStep(inputs.map, inputs.light);
     inputs.map.box.bindUniform(1);
     inputs.planes.planes.bind(0);
     inputs.map.normal.bind(2);

@@ -26,7 +26,7 @@ double mostFlux(const Light& light, const WaterPatch& patch) {
 /// times to a texel that it covers as a sliver (smallestTwiceArea), and its way is up to 50 times as long as
 /// its depth (rayFootprint).
 double stepsOf(const PlaneBeams::Inputs& inputs) {
-    return std::min(std::exp2(22) / unfocusedFlux(inputs.map, inputs.light),
+    return std::min(1 / fluxPerStep(inputs.map, inputs.light),
                     std::exp2(64 - 17 - 6) / mostFlux(inputs.light, inputs.patch));
 }
 

@@ -1,5 +1,7 @@
 #include "caustics/PlaneDrawer.h"
 
+#include "gl/Adding.h"
+
 namespace limpid {
 
 namespace {
@@ -25,10 +27,8 @@ void PlaneDrawer::draw(const ReferencePlane& plane) const {
     _footprints.vertexArray().bind();
     _program.use();
     _program.set(PlaneDepth, float(plane.depth));
-    glEnable(GL_BLEND);
-    glBlendFunc(GL_ONE, GL_ONE);
+    const gl::Adding adding;
     glDrawElements(GL_TRIANGLES, 3 * _footprints.triangleCount(), GL_UNSIGNED_INT, nullptr);
-    glDisable(GL_BLEND);
 }
 
 } // namespace limpid

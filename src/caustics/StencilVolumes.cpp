@@ -2,6 +2,8 @@
 
 #include <cstdint>
 
+#include "gl/Adding.h"
+
 namespace limpid {
 
 namespace {
@@ -71,12 +73,10 @@ void StencilVolumes::drawSubVolumes(const Beams& beams, const Water& water) cons
     _volumes.set(ExtinctionPerMetre, glm::vec3(water.absorption + water.scattering));
     testStencil();
     glDepthMask(GL_FALSE);
-    glEnable(GL_BLEND);
-    glBlendFunc(GL_ONE, GL_ONE);
+    const gl::Adding adding;
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, _draw.id());
     _volumes.use();
     glDrawArraysIndirect(GL_POINTS, nullptr);
-    glDisable(GL_BLEND);
     glDepthMask(GL_TRUE);
     glDisable(GL_STENCIL_TEST);
 }

@@ -70,11 +70,8 @@ void Engine::setScene(Scene scene) {
         maps.gradients = depthGradients(_scene.receivers[std::size_t(maps.receiver)], maps.box, *maps.facings,
                                         planned.facing, _scene.water.level);
         maps.level.facing = planned.facing;
-        Bounds wet;
-        for (const glm::dvec3& p : _submerged[std::size_t(maps.receiver)])
-            wet.add(p);
-        maps.wet = wet;
-        maps.inReach = mayReach(_scene.water, _scene.lights[std::size_t(maps.light)], wet, _patch);
+        maps.inReach = mayReach(_scene.water, _scene.lights[std::size_t(maps.light)],
+                                _wet[std::size_t(maps.receiver)], _patch);
     }
 }
 
@@ -86,6 +83,7 @@ void Engine::setReceivers(const Scene& scene) {
     _dry.clear();
     _sides = {};
     _bounds.clear();
+    _wet.clear();
     for (std::size_t i = 0; i < scene.receivers.size(); ++i) {
         const Receiver& receiver = scene.receivers[i];
         const Bounds bounds = worldBounds(receiver);
@@ -96,8 +94,9 @@ void Engine::setReceivers(const Scene& scene) {
         else
             receivers.emplace_back(_context, receiver, origin);
         submerged.push_back(pointsOfSide(receiver, scene.water.level, Side::Below));
+        Bounds& wet = _wet.emplace_back();
         for (const glm::dvec3& p : submerged.back())
-            _sides.wet.add(p);
+            wet.add(p), _sides.wet.add(p);
         const auto above = pointsOfSide(receiver, scene.water.level, Side::Above);
         _dry.insert(_dry.end(), above.begin(), above.end());
     }
@@ -130,7 +129,6 @@ void Engine::freeMaps() {
         empty.light = maps.light;
         empty.facings = std::move(maps.facings);
         empty.box = maps.box;
-        empty.wet = maps.wet;
         empty.inReach = maps.inReach;
         empty.gradients = maps.gradients;
         empty.level.facing = maps.level.facing;

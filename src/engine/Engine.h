@@ -57,7 +57,6 @@ struct ReceiverMaps {
     std::shared_ptr<const Facings> facings; ///< of this receiver and light
     OrientedBox box;                        ///< in the world
     DepthGradients gradients;
-    Bounds wet;          ///< of the receiver's part below the level, in the world
     bool inReach = true; ///< whether any of the water's light may come to it
     int halvings = 0;    ///< of its size and planes, where a picture shows it small
     LevelMap level;
@@ -207,7 +206,8 @@ class Engine {
     glm::dvec3 _origin{0};
     WaterPatch _patch;
     std::vector<ReceiverGeometry> _receivers;
-    std::vector<Bounds> _bounds;                     ///< of each receiver, m from the scene's origin
+    std::vector<Bounds> _bounds; ///< of each receiver, m from the scene's origin
+    std::vector<Bounds> _wet;    ///< of each receiver's part below the level, in the world
     std::vector<std::vector<glm::dvec3>> _submerged; ///< of each receiver, in the world
     std::vector<glm::dvec3> _dry;                    ///< what stands out of the water, in the world
     SideBounds _sides;                               ///< of both

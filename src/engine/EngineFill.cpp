@@ -66,9 +66,10 @@ void Engine::fill(ReceiverMaps& maps) {
 
 void Engine::splatPhotons(ReceiverMaps& maps) {
     if (!_photonSplat) _photonSplat = std::make_unique<PhotonSplat>(_context);
-    _photonSplat->fill(maps.caustics, {maps.level, maps.receiver, maps.tangents, sceneDepthOf(maps),
-                                       _lights[std::size_t(maps.light)].beams, _surface.mesh(), _patch,
-                                       _origin, _scene, _scene.lights[std::size_t(maps.light)], maps.wet});
+    _photonSplat->fill(maps.caustics,
+                       {maps.level, maps.receiver, maps.tangents, sceneDepthOf(maps),
+                        _lights[std::size_t(maps.light)].beams, _surface.mesh(), _patch, _origin, _scene,
+                        _scene.lights[std::size_t(maps.light)], _wet[std::size_t(maps.receiver)]});
 }
 
 } // namespace limpid

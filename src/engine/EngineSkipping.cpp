@@ -36,8 +36,8 @@ void Engine::countSkipped(const ReceiverMaps& maps) {
     const int all = maps.level.frame.flat ? 1 : maps.level.requestedPlanes;
     if (settings.method == Method::LevelMapSmart && settings.slicing == Slicing::Automatic)
         _skipped.planes += all - int(maps.level.planes.size());
-    const glm::dvec3 extinction = _scene.water.absorption + _scene.water.scattering;
-    if (fillOf(settings.method, settings.fill) == Fill::OnePass && isGrey(extinction)) _skipped.channels += 2;
+    if (fillOf(settings.method, settings.fill) == Fill::OnePass)
+        _skipped.channels += 3 - channelsOf(Colours::AsNeeded, _scene.water);
 }
 
 Skipped Engine::skipped() const {

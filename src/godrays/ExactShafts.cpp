@@ -70,9 +70,9 @@ ExactShafts::Gaps shaftGaps(const GodrayInputs& inputs, const GodraySource& sour
     gaps.even = settings.planes;
     double depth = 0;
     // Receivers are at most so deep: their distance along the light is no shorter.
-    const double deepest = std::min(source.farthest, godrayReach(inputs, source, mostExtinction));
-    gaps.height = deepest / settings.planes;
     const double reach = godrayReach(inputs, source, mostExtinction);
+    const double deepest = std::min(source.farthest, reach);
+    gaps.height = deepest / settings.planes;
     double height = gaps.height;
     while (int(gaps.gaps.size()) < gaps.even || depth < reach) {
         if (int(gaps.gaps.size()) >= gaps.even) height *= growth;
@@ -162,7 +162,7 @@ void ExactShafts::draw(GodrayTarget& target, const GodrayInputs& inputs) {
         target.bindWithoutDepth();
         source.sceneDepth.bind();
         target.depth().bind(viewDepthUnit);
-        const Adding adding;
+        const gl::Adding adding;
         march(inputs, source, gaps);
     }
 }

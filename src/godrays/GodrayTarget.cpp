@@ -2,17 +2,6 @@
 
 namespace limpid {
 
-Adding::Adding() {
-    glDepthMask(GL_FALSE);
-    glEnable(GL_BLEND);
-    glBlendFunc(GL_ONE, GL_ONE);
-}
-
-Adding::~Adding() {
-    glDisable(GL_BLEND);
-    glDepthMask(GL_TRUE);
-}
-
 GodrayTarget::GodrayTarget(gl::Context& context)
     : _context(context),
       _receivers({"godrays/view_depth.vert", "levelmap/face.geom", "godrays/view_depth.frag"}),

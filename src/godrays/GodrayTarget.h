@@ -1,4 +1,5 @@
 #pragma once
+#include "gl/Adding.h"
 #include "gl/Context.h"
 #include "gl/NearIsOne.h"
 #include "gl/Program.h"
@@ -13,11 +14,9 @@ struct NearIsOneTested : gl::NearIsOne {
 };
 
 /// While it lives, what is drawn is added and leaves depth alone.
-struct Adding {
-    Adding();
-    ~Adding();
-    Adding(const Adding&) = delete;
-    Adding& operator=(const Adding&) = delete;
+struct AddingBehindDepth : gl::Adding {
+    AddingBehindDepth() { glDepthMask(GL_FALSE); }
+    ~AddingBehindDepth() { glDepthMask(GL_TRUE); }
 };
 
 /// What light in the water is drawn into, and what ends the rays to it: receivers, and the water's surface

@@ -57,7 +57,7 @@ void PhotonLines::draw(GodrayTarget& target, const GodrayInputs& inputs) {
         begun = true;
         target.bind();
         const NearIsOneTested reversed;
-        const Adding adding;
+        const AddingBehindDepth adding;
         drawLines(inputs);
     }
 }

@@ -1,36 +1,8 @@
 #include "scene/Fingerprint.h"
 
-#include <cstring>
-#include <type_traits>
-
 namespace limpid {
 
 namespace {
-
-/// Fowler, Noll and Vo's hash, 64 bits, variant 1a.
-class Hash {
-  public:
-    void add(const void* data, std::size_t bytes) {
-        const auto* byte = static_cast<const unsigned char*>(data);
-        for (std::size_t i = 0; i < bytes; ++i)
-            _value = (_value ^ byte[i]) * 0x100000001b3u;
-    }
-    /// Numbers and vectors of them: nothing that the compiler pads.
-    template <typename... Plain>
-    void operator()(const Plain&... values) {
-        static_assert((std::is_trivially_copyable_v<Plain> && ...));
-        (add(&values, sizeof(values)), ...);
-    }
-    template <typename Plain>
-    void list(const std::vector<Plain>& values) {
-        (*this)(values.size());
-        add(values.data(), values.size() * sizeof(Plain));
-    }
-    std::uint64_t value() const { return _value; }
-
-  private:
-    std::uint64_t _value = 0xcbf29ce484222325u;
-};
 
 void addWave(Hash& hash, const Wave& wave) {
     hash(int(wave.type), wave.amplitude, wave.wavelength, wave.direction, wave.center, wave.speed, wave.phase,

@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "gl/Adding.h"
 #include "gl/NearIsOne.h"
 
 namespace limpid {
@@ -81,10 +82,8 @@ void PicturePass::addGodrays(const Inputs& inputs, const gl::Texture& radiance, 
     _godrays->set(GodrayRadius, float(inputs.scene.godrays.filterRadius));
     _noVertices.bind();
     _godrays->use();
-    glEnable(GL_BLEND);
-    glBlendFunc(GL_ONE, GL_ONE);
+    const gl::Adding adding;
     glDrawArrays(GL_TRIANGLES, 0, 3);
-    glDisable(GL_BLEND);
 }
 
 ReceiverPass::Inputs PicturePass::receiverInputs(const Inputs& inputs, const ViewFrameData& frame) const {

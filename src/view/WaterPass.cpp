@@ -3,6 +3,8 @@
 #include <array>
 #include <cmath>
 
+#include "gl/Adding.h"
+
 namespace limpid {
 
 namespace {
@@ -55,8 +57,7 @@ void WaterPass::drawHorizon(const Inputs& inputs) {
 
 void WaterPass::addGlitter(const Inputs& inputs) {
     glDepthFunc(GL_GEQUAL);
-    glEnable(GL_BLEND);
-    glBlendFunc(GL_ONE, GL_ONE);
+    const gl::Adding adding;
     for (std::size_t i = 0; i < inputs.scene.lights.size(); ++i) {
         const Light& light = inputs.scene.lights[i];
         if (light.type != LightType::Directional || !entersWater(light, inputs.scene.water)) continue;
@@ -66,7 +67,6 @@ void WaterPass::addGlitter(const Inputs& inputs) {
         drawHorizon(inputs);
         drawGrid(inputs);
     }
-    glDisable(GL_BLEND);
     glDepthFunc(GL_GREATER);
 }
 

@@ -9,10 +9,7 @@ namespace {
 class ExactBeamsGLTest : public EngineGLTest {
   protected:
     static Scene floorPastSphere() {
-        Scene scene;
-        scene.receivers = {scenes::floorAt(-1.5, 3),
-                           scenes::shape("sphere", makeSphere(0.4, glm::vec3(0.8f)), {0, -1, 0})};
-        scene.lights = {scenes::sunAt(30)};
+        Scene scene = scenes::floorPastSphere(30);
         scene.water.grid = {128, 128};
         scene.caustics.mapSize = 384;
         scene.caustics.method = Method::ExactBeam;

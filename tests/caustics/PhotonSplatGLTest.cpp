@@ -36,12 +36,8 @@ class PhotonSplatGLTest : public EngineGLTest {
         return scene;
     }
     static Scene floorPastSphere() {
-        Scene scene;
-        scene.receivers = {scenes::floorAt(-1.5, 3),
-                           scenes::shape("sphere", makeSphere(0.4, glm::vec3(0.8f)), {0, -1, 0})};
-        scene.lights = {scenes::sunAt(45)};
+        Scene scene = scenes::floorPastSphere(45);
         scene.water.waves = {scenes::cosine(0.01, 0.3, {1, 0.4}), scenes::noise(0.01, 0.5)};
-        scene.water.grid = {96, 96};
         scene.caustics.mapSize = 192;
         return scene;
     }

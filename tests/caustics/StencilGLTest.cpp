@@ -10,12 +10,8 @@ class StencilGLTest : public EngineGLTest {
   protected:
     /// Waves that focus above the floor and within the sphere's depths.
     static Scene floorPastSphere() {
-        Scene scene;
-        scene.receivers = {scenes::floorAt(-1.5, 3),
-                           scenes::shape("sphere", makeSphere(0.4, glm::vec3(0.8f)), {0, -1, 0})};
-        scene.lights = {scenes::sunAt(45)};
+        Scene scene = scenes::floorPastSphere(45);
         scene.water.waves = {scenes::cosine(0.01, 0.3, {1, 0.4}), scenes::noise(0.01, 0.5)};
-        scene.water.grid = {96, 96};
         scene.caustics.mapSize = 128;
         return scene;
     }

@@ -8,11 +8,7 @@ namespace {
 class FluxBalanceGLTest : public EngineGLTest {
   protected:
     static Scene floorPastSphere() {
-        Scene scene;
-        scene.receivers = {scenes::floorAt(-1.5, 3),
-                           scenes::shape("sphere", makeSphere(0.4, glm::vec3(0.8f)), {0, -1, 0})};
-        scene.lights = {scenes::sunAt(45)};
-        scene.water.grid = {96, 96};
+        Scene scene = scenes::floorPastSphere(45);
         scene.caustics.mapSize = 384;
         return scene;
     }

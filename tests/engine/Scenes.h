@@ -35,6 +35,15 @@ inline Light sunAt(double degrees, const char* name = "sun") {
     return light;
 }
 
+/// A ball above a floor that is 3 m wide, under flat water at 0 and a sun this far from vertical.
+inline Scene floorPastSphere(double degrees) {
+    Scene scene;
+    scene.receivers = {floorAt(-1.5, 3), shape("sphere", makeSphere(0.4, glm::vec3(0.8f)), {0, -1, 0})};
+    scene.lights = {sunAt(degrees)};
+    scene.water.grid = {96, 96};
+    return scene;
+}
+
 inline Wave cosine(double amplitude, double wavelength, const glm::dvec2& direction) {
     Wave wave;
     wave.amplitude = amplitude;
