@@ -1,15 +1,19 @@
-// Whether something takes a beam on its way, in the beam's own direction. Two depths are known along the mean light from
-// each place of the flat surface (scene_depth.glsl): where the first solid is entered and where it is left; a sheet
-// is left where it is entered. A beam is taken where it is between the two.
+// Whether something takes a beam on its way, in the beam's own direction. Two solids are known along the mean light from
+// each place of the flat surface (scene_depth.glsl): where each is entered and where it is left; a sheet is left where it
+// is entered. A beam is taken where it is between the two. A third solid below takes nothing.
 //
 // Places are compared on the flat surface, where the mean light to them enters: of a beam that starts `aside` from the
 // place of the point X that it goes to, the part at depth (1 - f) D of X's depth D is f · aside away from it.
 #include "include/box.glsl"
 #include "include/scene_depth.glsl"
 layout(binding = 6) uniform sampler2D scenePyramid; // RGBA32F (scene_depth_range.comp)
+layout(binding = 8) uniform sampler2D secondSolids; // RG32F (the same)
 
 // Depths within this much of a point are the surface that it lies on itself, m: `slope` is how depth grows sideways.
 float contact(float slope) { return sceneDepthTexel() * (3.0 + 2.0 * min(slope, 10.0)); }
+
+// The same for another receiver's surface, m.
+float besideOthers() { return 0.5 * sceneDepthTexel(); }
 
 // Where to ask for a point of a face with this normal, from the point, m: a face of a further map runs along the light and
 // is its own edge in the scene depth map, so it is asked for beside it. BoxFrame is that of the point's map.
@@ -31,18 +35,20 @@ vec3 sceneRange(ivec2 low, ivec2 high) {
                 min(min(p.z, q.z), min(r.z, s.z)));
 }
 
-// How far aside the nearest places let a beam start, m: each texel by itself, `depth` and `first` as in certainAside.
-// Negative where the point is in the shade of what is right before it.
-float asideOfNearest(ivec2 at, float depth, float first, float width) {
+// How far aside the nearest places let a beam start, m: each texel by itself; what lies before `beforeItself` of the point's
+// own surface counts, and what before `beforeOthers` of other receivers: where one touches this one, its own surface is
+// no excuse. Negative where the point is in the shade of what is right before it.
+float asideOfNearest(ivec2 at, float depth, float beforeItself, float beforeOthers, float width, int receiverNumber) {
     ivec2 last = textureSize(scenePyramid, 0) - 1;
     float certain = 1e30;
     for (int y = -2; y <= 2; ++y)
         for (int x = -2; x <= 2; ++x) {
             ivec2 place = at + ivec2(x, y);
             if (any(lessThan(place, ivec2(0))) || any(greaterThan(place, last))) continue;
-            float entered = texelFetch(scenePyramid, place, 0).x;
+            vec4 solid = texelFetch(scenePyramid, place, 0);
+            float entered = solid.x;
             int offset = max(abs(x), abs(y));
-            if (entered >= first) continue;
+            if (entered >= (int(solid.w) == receiverNumber ? beforeItself : beforeOthers)) continue;
             if (offset <= 1) return -1.0;
             certain = min(certain, (float(offset) - 0.5) * width * depth / (depth - entered));
         }
@@ -51,7 +57,7 @@ float asideOfNearest(ivec2 at, float depth, float first, float width) {
 
 // How far aside a beam to `point` may start and its fate still be certain, m: positive, and it arrives; negative, and it
 // does not; 0, and only following it can tell. `slope` as for contact().
-float certainAside(vec3 point, float slope) {
+float certainAside(vec3 point, float slope, int receiverNumber) {
     vec3 entry = entryPoint(point);
     float depth = distance(point, entry), first = depth - contact(slope);
     vec2 size = vec2(textureSize(sceneDepth, 0));
@@ -59,7 +65,7 @@ float certainAside(vec3 point, float slope) {
     float width = min(texel.x, texel.y);
     ivec2 at = ivec2(floor(sceneDepthUv(entry) * size));
     int furthest = int(2.0 * max(size.x, size.y));
-    float certain = asideOfNearest(at, depth, first, width);
+    float certain = asideOfNearest(at, depth, first, depth - besideOthers(), width, receiverNumber);
     if (certain < 0.0) {
         // In the shade, as far as all that is around is inside of something at one depth.
         float dark = 0.0;
@@ -85,8 +91,7 @@ float certainAside(vec3 point, float slope) {
 bool isTaken(vec3 start, vec3 point, float slope, int receiverNumber) {
     vec3 entry = entryPoint(point);
     float depth = distance(point, entry);
-    // Where another receiver touches this one, its own surface is no excuse.
-    float beforeItself = depth - contact(slope), beforeOthers = depth - 0.5 * sceneDepthTexel();
+    float beforeItself = depth - contact(slope), beforeOthers = depth - besideOthers();
     vec2 size = vec2(textureSize(sceneDepth, 0));
     vec2 from = sceneDepthUv(entryPoint(start)) * size, to = sceneDepthUv(entry) * size;
     int steps = clamp(int(ceil(max(abs(to.x - from.x), abs(to.y - from.y)))), 1, 128);
@@ -96,10 +101,12 @@ bool isTaken(vec3 start, vec3 point, float slope, int receiverNumber) {
         float before = depth * float(i) / float(steps), after = depth * float(i + 1) / float(steps);
         ivec2 place = ivec2(floor(mix(from, to, f)));
         if (all(greaterThanEqual(place, ivec2(0))) && all(lessThan(place, ivec2(size)))) {
-            vec3 solid = texelFetch(scenePyramid, place, 0).xyz;
-            bool itself = int(texelFetch(sceneDepth, place, 0).y) == receiverNumber;
+            vec4 solid = texelFetch(scenePyramid, place, 0);
+            bool itself = int(solid.w) == receiverNumber;
             float reached = min(after, itself ? beforeItself : beforeOthers);
             if (reached > solid.x && before <= solid.z) return true;
+            vec2 second = texelFetch(secondSolids, place, 0).xy;
+            if (min(after, beforeItself) > second.x && before <= second.y) return true;
         }
     }
     return false;

@@ -1,9 +1,9 @@
-// Out, RG32F: metres of water along the mean light to where the solid that it hits first is entered and to where it is
+// Out, RG32F: metres of water along the mean light to where the solid of `sceneDepth` is entered and to where it is
 // left again. A receiver that is not closed is taken for a solid where a front of it has a back behind it: most models
 // have a seam open somewhere. Light that meets a closed one from inside, since the surface cuts it open there, is in it
-// from the start.
-#include "include/scene_depth.glsl"
+// from the start; in a second one, from where the first one ends.
 #include "include/receiver_fragment.glsl"
+#include "include/solids.glsl"
 layout(location = 1) uniform int receiverNumber;
 layout(location = 2) uniform float farthest;
 layout(location = 3) uniform ivec2 mapSize;
@@ -23,6 +23,8 @@ void main() {
     // surface.
     bool inside = closed != 0 && (own ? behind : left <= first.x + 0.5 * sceneDepthTexel());
     if (!inside && (!own || behind || left < first.x)) discard;
-    outSolid = vec2(inside ? 0.0 : first.x, left);
+    float ends = firstSolidEnds(ivec2(gl_FragCoord.xy));
+    if (left <= ends) discard;
+    outSolid = vec2(inside ? max(ends, 0.0) : first.x, left);
     gl_FragDepth = clamp(0.5 + 0.9 * (left / farthest - 0.5), 0.0, 1.0);
 }

@@ -13,6 +13,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = 0) uniform sampler2D positionMap;
 layout(binding = 2) uniform sampler2D normalMap;
 layout(location = 0) uniform int testOcclusion; // 0: nothing else can be before it
+layout(location = 1) uniform int receiverNumber;
 layout(rgba32f, binding = 0) uniform writeonly image2D tangentPlanes;
 layout(rgba32f, binding = 1) uniform writeonly image2D depthRange;
 
@@ -40,7 +41,7 @@ void main() {
     float aside = 1e30;
     if (testOcclusion != 0) {
         vec3 point = boxPoint(vec3((vec2(texel) + 0.5) * boxExtent.w, position.x));
-        aside = certainAside(point + besideFace(normalOf(texel)), length(rise) / boxExtent.w);
+        aside = certainAside(point + besideFace(normalOf(texel)), length(rise) / boxExtent.w, receiverNumber);
     }
     imageStore(tangentPlanes, texel, vec4(position.x, rise, aside));
     imageStore(depthRange, texel, vec4(upright - reach, upright + reach, max(aside, 0.0), max(-aside, 0.0)));

@@ -326,7 +326,7 @@ void Engine::updateTangentPlanes(ReceiverMaps& maps) {
     }
     Scope scope(_timers, "tangent planes");
     _tangentPlanesPass.update(maps.tangents, maps.level, _lights[std::size_t(maps.light)].beams,
-                              sceneDepthOf(maps));
+                              sceneDepthOf(maps), maps.receiver);
 }
 
 void Engine::updatePlaneDepths(ReceiverMaps& maps) {

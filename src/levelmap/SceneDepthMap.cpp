@@ -1,12 +1,14 @@
 #include "levelmap/SceneDepthMap.h"
 
+#include <array>
+
 #include "water/FlatWater.h"
 
 namespace limpid {
 
 namespace {
-enum Uniform { ReceiverNumber = 1, Farthest = 2, MapSize = 3, Closed = 4 };
-enum Unit : GLuint { First = 1, Solid = 5, Pyramid = 6 };
+enum Uniform { ReceiverNumber = 1, Farthest = 2, MapSize = 3, Closed = 4, SecondSolid = 5 };
+enum Unit : GLuint { First = 1, Left = 5, Pyramid = 6, Second = 8 };
 constexpr glm::ivec2 groupSize{8, 8};
 } // namespace
 
@@ -25,19 +27,23 @@ glm::vec4 sceneDepthRect(const Light& light, const Water& water, std::span<const
 void SceneDepth::bind() const {
     first.bind(First);
     if (pyramid.id()) pyramid.bind(Pyramid);
+    if (second.id()) second.bind(Second);
 }
 
 SceneDepthPass::SceneDepthPass(gl::Context& context)
     : _context(context),
       _first({"levelmap/scene_depth.vert", "levelmap/face.geom", "levelmap/scene_depth.frag"}),
       _exit({"levelmap/scene_depth.vert", "levelmap/face.geom", "levelmap/scene_exit.frag"}),
-      _range({"levelmap/scene_depth_range.comp"}) {}
+      _range({"levelmap/scene_depth_range.comp"}),
+      _rangeOfSecond({"levelmap/scene_depth_range.comp"}, std::array<std::string, 1>{"SECOND"}) {}
 
-void SceneDepthPass::drawReceivers(const gl::Program& program, glm::ivec2 size, const Inputs& inputs) {
+void SceneDepthPass::drawReceivers(const gl::Program& program, glm::ivec2 size, const Inputs& inputs,
+                                   Solid solid) {
     glEnable(GL_DEPTH_TEST);
     inputs.beams.frame.bindUniform(0);
     program.set(Farthest, float(inputs.farthest));
     program.set(MapSize, size);
+    program.set(SecondSolid, solid == Solid::Second ? 1 : 0);
     for (std::size_t i = 0; i < inputs.receivers.size(); ++i) {
         program.set(ReceiverNumber, int(i));
         if (&program == &_exit) program.set(Closed, inputs.receivers[i].closed() ? 1 : 0);
@@ -46,37 +52,53 @@ void SceneDepthPass::drawReceivers(const gl::Program& program, glm::ivec2 size, 
     glDisable(GL_DEPTH_TEST);
 }
 
-void SceneDepthPass::drawFirst(SceneDepth& depth, glm::ivec2 size, const Inputs& inputs) {
-    if (depth.first.size() != size || depth.first.id() == 0)
-        depth.first = gl::Texture(_context.ledger(), "scene depth map", GL_RG32F, size);
-    const gl::Texture buffer(_context.ledger(), "depth buffer", GL_DEPTH_COMPONENT32F, size);
-    const gl::Texture* const targets[] = {&depth.first};
+void SceneDepthPass::drawEntered(const gl::Texture& entered, const Inputs& inputs, Solid solid) {
+    const gl::Texture buffer(_context.ledger(), "depth buffer", GL_DEPTH_COMPONENT32F, entered.size());
+    const gl::Texture* const targets[] = {&entered};
     const gl::Framebuffer framebuffer("scene depth map", targets, &buffer);
     framebuffer.bind();
     framebuffer.clearColor(0, {1e30f, -1, 0, 0});
     framebuffer.clearDepth(1);
-    drawReceivers(_first, size, inputs);
+    drawReceivers(_first, entered.size(), inputs, solid);
+}
+
+void SceneDepthPass::drawLeft(const gl::Texture& entered, const gl::Texture& out, const Inputs& inputs,
+                              Solid solid) {
+    const glm::ivec2 size = entered.size();
+    const gl::Texture left(_context.ledger(), "scene solids", GL_RG32F, size);
+    const gl::Texture buffer(_context.ledger(), "depth buffer", GL_DEPTH_COMPONENT32F, size);
+    const gl::Texture* const targets[] = {&left};
+    const gl::Framebuffer framebuffer("scene solids", targets, &buffer);
+    framebuffer.bind();
+    framebuffer.clearColor(0, glm::vec4(0));
+    framebuffer.clearDepth(1);
+    entered.bind(First);
+    drawReceivers(_exit, size, inputs, solid);
+    left.bind(Left);
+    out.bindImage(0, GL_WRITE_ONLY);
+    inputs.beams.frame.bindUniform(0);
+    (solid == Solid::First ? _range : _rangeOfSecond).dispatch2D(size, groupSize);
+}
+
+void SceneDepthPass::drawFirst(SceneDepth& depth, glm::ivec2 size, const Inputs& inputs) {
+    if (depth.first.size() != size || depth.first.id() == 0)
+        depth.first = gl::Texture(_context.ledger(), "scene depth map", GL_RG32F, size);
+    drawEntered(depth.first, inputs, Solid::First);
 }
 
 void SceneDepthPass::drawSolids(SceneDepth& depth, const Inputs& inputs) {
     const glm::ivec2 size = depth.first.size();
     gl::Ledger& ledger = _context.ledger();
-    if (depth.pyramid.size() != size || depth.pyramid.id() == 0)
+    if (depth.pyramid.size() != size || depth.pyramid.id() == 0) {
         depth.pyramid = gl::Texture(ledger, "scene depth pyramid", GL_RGBA32F, size, gl::Mipmaps::Full);
-    const gl::Texture solid(ledger, "scene depth pyramid", GL_RG32F, size);
-    const gl::Texture buffer(ledger, "depth buffer", GL_DEPTH_COMPONENT32F, size);
-    const gl::Texture* const targets[] = {&solid};
-    const gl::Framebuffer framebuffer("scene solids", targets, &buffer);
-    framebuffer.bind();
-    framebuffer.clearColor(0, glm::vec4(0));
-    framebuffer.clearDepth(1);
-    depth.first.bind(First);
-    drawReceivers(_exit, size, inputs);
-    depth.bind();
-    solid.bind(Solid);
-    depth.pyramid.bindImage(0, GL_WRITE_ONLY);
-    inputs.beams.frame.bindUniform(0);
-    _range.dispatch2D(size, groupSize);
+        depth.second = gl::Texture(ledger, "second solids", GL_RG32F, size);
+    }
+    drawLeft(depth.first, depth.pyramid, inputs, Solid::First);
+    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+    depth.pyramid.bind(Pyramid);
+    const gl::Texture beyond(ledger, "scene depth map", GL_RG32F, size);
+    drawEntered(beyond, inputs, Solid::Second);
+    drawLeft(beyond, depth.second, inputs, Solid::Second);
     _pyramid.reduce(depth.pyramid);
 }
 

@@ -24,9 +24,11 @@ struct SceneDepth {
     /// behind.
     gl::Texture first;
     /// RGBA32F, all levels: least and greatest depth at which what is first is entered, least depth at which
-    /// it is left again, 0. Where a receiver has no back, it is left where it is
+    /// it is left again, its number. Where a receiver has no back, it is left where it is
     /// entered.
     gl::Texture pyramid;
+    /// RG32F: where what lies beyond the first solid is entered and where it is left, 1e30 for none.
+    gl::Texture second;
 
     /// To the units that shaders/include/scene_depth.glsl and occlusion.glsl read.
     void bind() const;
@@ -47,9 +49,12 @@ class SceneDepthPass {
     void drawSolids(SceneDepth& depth, const Inputs& inputs);
 
   private:
-    void drawReceivers(const gl::Program& program, glm::ivec2 size, const Inputs& inputs);
+    enum class Solid { First, Second };
+    void drawReceivers(const gl::Program& program, glm::ivec2 size, const Inputs& inputs, Solid solid);
+    void drawEntered(const gl::Texture& entered, const Inputs& inputs, Solid solid);
+    void drawLeft(const gl::Texture& entered, const gl::Texture& out, const Inputs& inputs, Solid solid);
     gl::Context& _context;
-    gl::Program _first, _exit, _range;
+    gl::Program _first, _exit, _range, _rangeOfSecond;
     DepthPyramidPass _pyramid;
 };
 

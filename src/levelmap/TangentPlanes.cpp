@@ -4,14 +4,14 @@ namespace limpid {
 
 namespace {
 constexpr glm::ivec2 groupSize{8, 8};
-enum Uniform { TestOcclusion };
+enum Uniform { TestOcclusion, ReceiverNumber };
 } // namespace
 
 TangentPlanesPass::TangentPlanesPass(gl::Context& context)
     : _context(context), _planes({"levelmap/tangent_planes.comp"}) {}
 
 void TangentPlanesPass::update(TangentPlanes& planes, const LevelMap& map, const Beams& beams,
-                               const SceneDepth* sceneDepth) {
+                               const SceneDepth* sceneDepth, int receiverNumber) {
     const glm::ivec2 size = map.frame.size;
     if (!planes.planes.id() || planes.planes.size() != size) {
         gl::Ledger& ledger = _context.ledger();
@@ -26,6 +26,7 @@ void TangentPlanesPass::update(TangentPlanes& planes, const LevelMap& map, const
     planes.planes.bindImage(0, GL_WRITE_ONLY);
     planes.depthPyramid.bindImage(1, GL_WRITE_ONLY);
     _planes.set(TestOcclusion, sceneDepth ? 1 : 0);
+    _planes.set(ReceiverNumber, receiverNumber);
     _planes.dispatch2D(size, groupSize);
     _pyramid.reduce(planes.depthPyramid);
 }

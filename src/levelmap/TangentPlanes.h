@@ -23,8 +23,10 @@ struct TangentPlanes {
 class TangentPlanesPass {
   public:
     explicit TangentPlanesPass(gl::Context& context);
-    /// `sceneDepth`: null if nothing can be before the receiver. `beams` are those of the map's light.
-    void update(TangentPlanes& planes, const LevelMap& map, const Beams& beams, const SceneDepth* sceneDepth);
+    /// `sceneDepth`: null if nothing can be before the receiver, which is number `receiverNumber` in it.
+    /// `beams` are those of the map's light.
+    void update(TangentPlanes& planes, const LevelMap& map, const Beams& beams, const SceneDepth* sceneDepth,
+                int receiverNumber);
 
   private:
     gl::Context& _context;
