@@ -91,7 +91,9 @@ class GodrayRun {
 void GodrayRun::prepare(Subject& subject) {
     const auto index = std::size_t(&subject - _subjects.data());
     if (_placed == index) return;
-    _engine.setScene(sceneOf(subject, {}));
+    GodraySettings none;
+    none.method = GodrayMethod::None;
+    _engine.setScene(sceneOf(subject, none));
     _engine.updateCaustics(_profile.time);
     if (subject.without.rgb.empty()) subject.without = _engine.draw(_profile.picture);
     _placed = index;

@@ -47,6 +47,7 @@ void addLight(Hash& hash, const Light& light) {
     hash.add(light.name.data(), light.name.size());
     hash(int(light.type), light.direction, light.irradiance, light.angularDiameter, light.position,
          light.intensity);
+    if (light.isSpot()) hash(light.innerCone, light.outerCone);
 }
 
 } // namespace

@@ -144,7 +144,7 @@ enum class Phase { HenyeyGreenstein, Schlick };
 
 /// Light that the water scatters to a camera below the surface. Of photon lines, with the paper's settings.
 struct GodraySettings {
-    GodrayMethod method = GodrayMethod::None;
+    GodrayMethod method = GodrayMethod::ExactShafts; ///< none where the water scatters nothing
     Phase phase = Phase::HenyeyGreenstein;
     glm::ivec2 grid{100, 100}; ///< cells over the water, [1, 4096]
     int subdivision = 2;       ///< lines or rays along a side of a cell, [1, 16]

@@ -28,6 +28,11 @@ TEST(LightFingerprint, changesWithWhateverLightDependsOn) {
         [](Scene& s) { s.water.waves.emplace_back(); },
         [](Scene& s) { s.lights[0].direction.x = 0.1; },
         [](Scene& s) { s.lights.emplace_back(); },
+        [](Scene& s) { s.lights[0].type = LightType::Point; },
+        [](Scene& s) { s.lights[0].type = LightType::Point, s.lights[0].outerCone = 30; },
+        [](Scene& s) {
+            s.lights[0].type = LightType::Point, s.lights[0].outerCone = 30, s.lights[0].innerCone = 10;
+        },
         [](Scene& s) { s.receivers[0].translation.y = -1; },
         [](Scene& s) { s.receivers[0].rotation.x = 0.1; },
         [](Scene& s) {
