@@ -12,9 +12,12 @@
 namespace limpid {
 namespace {
 
+/// Enough for each to meet what the ones before left; more would test the same again, slowly.
+constexpr std::size_t maxOverrides = 4;
+
 std::vector<io::Override> overridesOf(std::string_view lines) {
     std::vector<io::Override> overrides;
-    while (!lines.empty()) {
+    while (!lines.empty() && overrides.size() < maxOverrides) {
         const std::string_view line = lines.substr(0, lines.find('\n'));
         lines.remove_prefix(std::min(lines.size(), line.size() + 1));
         const std::size_t equals = line.find('=');
