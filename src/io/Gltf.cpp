@@ -14,13 +14,16 @@ namespace limpid::io {
 
 namespace {
 
-/// The mesh of a node, and every copy of it.
-void addMesh(const GltfFile& file, const SceneNode& place, Skins& skins, Mesh& mesh) {
+constexpr std::size_t maxInstances = std::size_t(1) << 20; ///< of all nodes
+
+/// The mesh of a node, and every copy of it. `room`: for so many copies more.
+void addMesh(const GltfFile& file, const SceneNode& place, Skins& skins, std::size_t& room, Mesh& mesh) {
     const tinygltf::Node& node = file.model.nodes[place.node];
     const Joints* joints =
         node.skin == -1 ? nullptr : &skins.joints(fmt::format("nodes[{}]", place.node), node.skin);
     const std::vector<double> weights = morphWeights(file, place.node);
-    std::vector<glm::dmat4> transforms = instanceTransforms(file, place.node);
+    std::vector<glm::dmat4> transforms = instanceTransforms(file, place.node, room);
+    if (transforms.size() > 1) room -= transforms.size();
     for (glm::dmat4& transform : transforms)
         transform = place.transform * transform;
     const auto& primitives = file.model.meshes[static_cast<std::size_t>(node.mesh)].primitives;
@@ -37,8 +40,9 @@ Model loadModel(const std::filesystem::path& path) {
     const std::vector<SceneNode> nodes = sceneNodes(file);
     Model model;
     Skins skins(file);
+    std::size_t room = maxInstances;
     for (const SceneNode& node : nodes)
-        if (file.model.nodes[node.node].mesh != -1) addMesh(file, node, skins, model.mesh);
+        if (file.model.nodes[node.node].mesh != -1) addMesh(file, node, skins, room, model.mesh);
     if (model.mesh.indices.empty()) file.fail("scene", "a mesh with triangles", "no triangles");
     addMaterials(file, model.mesh);
     dropRepeatedTriangles(model.mesh);

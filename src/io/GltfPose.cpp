@@ -12,8 +12,7 @@ namespace limpid::io {
 
 namespace {
 
-constexpr std::size_t maxInstances = std::size_t(1) << 20; ///< of one node
-constexpr int maxJointSets = 16;                           ///< of four joints each
+constexpr int maxJointSets = 16; ///< of four joints each
 
 /// A column-major matrix, whose components are floats.
 glm::dmat4 readMatrix(const AccessorView& view, std::size_t i) {
@@ -63,13 +62,14 @@ Joints makeJoints(const GltfFile& file, int index, const std::vector<glm::dmat4>
 /// An accessor of the instancing extension; all of a node's have one count.
 std::optional<AccessorView> instanceView(const GltfFile& file, const std::string& place,
                                          const tinygltf::Value& attributes, const char* name,
-                                         const AccessorKind& kind, std::optional<std::size_t>& count) {
+                                         const AccessorKind& kind, std::size_t room,
+                                         std::optional<std::size_t>& count) {
     const int accessor = indexMember(file, place, attributes, name);
     if (accessor == -1) return std::nullopt;
     const std::string at = place + "." + name;
     AccessorView view(file, at, accessor, kind);
-    if (view.count() > maxInstances)
-        file.fail(at, fmt::format("at most {} instances", maxInstances), fmt::format("{}", view.count()));
+    if (view.count() > room)
+        file.fail(at, fmt::format("at most {} instances", room), fmt::format("{}", view.count()));
     if (count && view.count() != *count)
         file.fail(at, fmt::format("{} instances, as the others have", *count),
                   fmt::format("{}", view.count()));
@@ -87,22 +87,24 @@ const Joints& Skins::joints(const std::string& place, int skin) {
                                   : _joints.emplace(skin, makeJoints(_file, skin, _nodes)).first->second;
 }
 
-std::vector<glm::dmat4> instanceTransforms(const GltfFile& file, std::size_t node) {
+std::vector<glm::dmat4> instanceTransforms(const GltfFile& file, std::size_t node, std::size_t room) {
     constexpr char extension[] = "EXT_mesh_gpu_instancing";
     const auto* object = extensionObject(file.model.nodes[node].extensions, extension);
     if (!object || !object->Get("attributes").IsObject()) return {glm::dmat4(1.0)};
     const tinygltf::Value& attributes = object->Get("attributes");
     const std::string place = fmt::format("nodes[{}].{}.attributes", node, extension);
     std::optional<std::size_t> count;
-    const auto translations = instanceView(file, place, attributes, "TRANSLATION", vectorKind(), count);
-    const auto rotations = instanceView(file, place, attributes, "ROTATION", rotationKind(), count);
-    const auto scales = instanceView(file, place, attributes, "SCALE", vectorKind(), count);
+    const auto translations = instanceView(file, place, attributes, "TRANSLATION", vectorKind(), room, count);
+    const auto rotations = instanceView(file, place, attributes, "ROTATION", rotationKind(), room, count);
+    const auto scales = instanceView(file, place, attributes, "SCALE", vectorKind(), room, count);
     if (!count) return {glm::dmat4(1.0)}; // attributes of its own only, which say nothing of where
     std::vector<glm::dmat4> transforms;
     transforms.reserve(*count);
     for (std::size_t i = 0; i < *count; ++i)
         transforms.push_back(composeTransform(
-            file, fmt::format("{}[{}]", place, i), translations ? translations->vec3(i) : glm::dvec3(0),
+            // A rotation alone can be wrong, and a million names take their time.
+            file, rotations ? fmt::format("{}[{}]", place, i) : place,
+            translations ? translations->vec3(i) : glm::dvec3(0),
             rotations ? glm::dvec4(rotations->vec3(i), rotations->component(i, 3)) : glm::dvec4(0, 0, 0, 1),
             scales ? scales->vec3(i) : glm::dvec3(1)));
     return transforms;

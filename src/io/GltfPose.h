@@ -31,8 +31,9 @@ class Skins {
 };
 
 /// The copies that EXT_mesh_gpu_instancing makes of a node's mesh, in the node's own space; one where the
-/// node is if it does not use it. Throws InputError.
-std::vector<glm::dmat4> instanceTransforms(const GltfFile& file, std::size_t node);
+/// node is if it does not use it. Throws InputError, also for more than
+/// `room` of them.
+std::vector<glm::dmat4> instanceTransforms(const GltfFile& file, std::size_t node, std::size_t room);
 
 /// The weights of a node's morph targets at rest: the node's, else its mesh's, else none. Throws InputError.
 std::vector<double> morphWeights(const GltfFile& file, std::size_t node);

@@ -237,6 +237,16 @@ const BrokenCase broken[] = {
              g.addAccessor({{"componentType", 5126}, {"count", 1048577}, {"type", "VEC3"}});
      },
      "EXT_mesh_gpu_instancing.attributes.SCALE: expected at most 1048576 instances, found 1048577"},
+    {"nodes that together have more instances than there may be",
+     [](SmallGltf& g) {
+         primitive(g)["mode"] = 0; // points, so that none of them is made
+         instancing(g)["SCALE"] =
+             g.addAccessor({{"componentType", 5126}, {"count", 1000000}, {"type", "VEC3"}});
+         g.json["nodes"].push_back({{"mesh", 0}, {"extensions", g.json["nodes"][0]["extensions"]}});
+         g.json.erase("scene");
+         g.json.erase("scenes");
+     },
+     "SCALE: expected at most 48576 instances, found 1000000"},
     {"more triangles than there may be",
      [](SmallGltf& g) {
          g.json["nodes"][0].erase("skin");
