@@ -56,8 +56,9 @@ void Engine::requireScene(const Scene& scene, const gl::Context& context) {
 void Engine::setScene(Scene scene) {
     frameCamera(scene);
     requireScene(scene, _context);
-    _patch = coveringPatch(scene);
+    const WaterPatch patch = coveringPatch(scene);
     setReceivers(scene);
+    _patch = patch;
     _scene = std::move(scene);
     _maps.clear();
     freeMaps();
@@ -75,36 +76,42 @@ void Engine::setScene(Scene scene) {
     }
 }
 
-/// Those of the scene before that come again are not made again.
+/// Those of the scene before that come again are not made again, and all of them stay until the others are
+/// there.
+void Engine::uploadReceivers(const Scene& scene, const glm::dvec3& origin) {
+    std::vector<std::optional<ReceiverGeometry>> made(scene.receivers.size());
+    for (std::size_t i = 0; i < made.size(); ++i) {
+        const bool same =
+            i < _receivers.size() && origin == _origin && scene.receivers[i] == _scene.receivers[i];
+        if (!same) made[i].emplace(_context, scene.receivers[i], origin);
+    }
+    std::vector<ReceiverGeometry> receivers;
+    for (std::size_t i = 0; i < made.size(); ++i)
+        receivers.push_back(std::move(made[i] ? *made[i] : _receivers[i]));
+    _receivers = std::move(receivers);
+    _origin = origin;
+}
+
 void Engine::setReceivers(const Scene& scene) {
     const glm::dvec3 origin = sceneOrigin(scene);
-    std::vector<ReceiverGeometry> receivers;
-    std::vector<std::vector<glm::dvec3>> submerged;
+    uploadReceivers(scene, origin);
     _dry.clear();
     _sides = {};
     _bounds.clear();
     _wet.clear();
-    for (std::size_t i = 0; i < scene.receivers.size(); ++i) {
-        const Receiver& receiver = scene.receivers[i];
+    _submerged.clear();
+    for (const Receiver& receiver : scene.receivers) {
         const Bounds bounds = worldBounds(receiver);
         _bounds.push_back({bounds.min - origin, bounds.max - origin});
-        const bool same = i < _receivers.size() && origin == _origin && receiver == _scene.receivers[i];
-        if (same)
-            receivers.push_back(std::move(_receivers[i]));
-        else
-            receivers.emplace_back(_context, receiver, origin);
-        submerged.push_back(pointsOfSide(receiver, scene.water.level, Side::Below));
+        _submerged.push_back(pointsOfSide(receiver, scene.water.level, Side::Below));
         Bounds& wet = _wet.emplace_back();
-        for (const glm::dvec3& p : submerged.back())
+        for (const glm::dvec3& p : _submerged.back())
             wet.add(p), _sides.wet.add(p);
         const auto above = pointsOfSide(receiver, scene.water.level, Side::Above);
         _dry.insert(_dry.end(), above.begin(), above.end());
     }
     for (const glm::dvec3& p : _dry)
         _sides.dry.add(p);
-    _receivers = std::move(receivers);
-    _submerged = std::move(submerged);
-    _origin = origin;
 }
 
 void Engine::setLook(const Scene& scene) {
@@ -155,8 +162,9 @@ void Engine::updateCaustics(double time) {
         updateMaps(maps);
 }
 
-/// Water, and what becomes of every light in it.
-void Engine::updateSurface(double time) {
+/// Water, and what becomes of every light in it. This, updateMaps, auditFlux and withPicture leave nothing
+/// half-made when the GPU runs out of memory: it would be taken for whole at the next update.
+void Engine::updateSurface(double time) try {
     _skipped = {};
     for (ReceiverMaps& maps : _maps)
         maps.culled = false;
@@ -175,6 +183,9 @@ void Engine::updateSurface(double time) {
     traceBeams();
     for (ReceiverMaps& maps : _maps)
         maps.filled = false;
+} catch (...) {
+    freeMaps();
+    throw;
 }
 
 void Engine::traceBeams() {
@@ -195,7 +206,7 @@ void Engine::traceBeams() {
     }
 }
 
-void Engine::updateMaps(ReceiverMaps& maps) {
+void Engine::updateMaps(ReceiverMaps& maps) try {
     if (_reuse && maps.ready)
         ++_skipped.levelMaps;
     else
@@ -206,6 +217,9 @@ void Engine::updateMaps(ReceiverMaps& maps) {
     else
         fill(maps), _pictureHasLight = false;
     maps.filled = true;
+} catch (...) {
+    freeMaps();
+    throw;
 }
 
 bool Engine::needsSceneDepth(int index) const {
@@ -355,7 +369,7 @@ void Engine::slice(LevelMap& map) {
         _smartSlicing.sliceByLevels(map, settings.depthLevels, settings.threshold);
 }
 
-FluxBalance Engine::auditFlux(int index) {
+FluxBalance Engine::auditFlux(int index) try {
     LightState& state = _lights[std::size_t(index)];
     if (!state.sceneDepth.first.id()) drawSceneDepth(index);
     std::vector<FluxAudit::Placed> levels;
@@ -365,6 +379,9 @@ FluxBalance Engine::auditFlux(int index) {
     return _fluxAudit.count(
         state.beams, _surface.mesh(), _scene.water, state.sceneDepth, levels, state.farthest,
         goesOwnWay(_scene.caustics.method) ? FluxAudit::Shade::Own : FluxAudit::Shade::Mean);
+} catch (...) {
+    freeMaps();
+    throw;
 }
 
 } // namespace limpid

@@ -72,14 +72,15 @@ struct ReceiverMaps {
 };
 
 /// The order of a frame. Needs a current context, which it does not own; holds everything on the GPU that one
-/// scene needs.
+/// scene needs. After an error, a GraphicsError for want of memory too, it stays of use: the next call makes
+/// anew what was not finished.
 class Engine {
   public:
     explicit Engine(gl::Context& context);
 
     /// Uploads the receivers and prepares what does not depend on time. Every receiver has a mesh. Left-open
     /// choices of the scene (camera, extent of the water) are made here. Receivers that are those of the
-    /// scene before stay on the GPU. Throws InputError, and then keeps the scene before.
+    /// scene before stay on the GPU. Throws InputError or GraphicsError, and then keeps the scene before.
     void setScene(Scene scene);
     /// Camera, godrays, and radiance of sky and surroundings of another scene that has all else in common
     /// with this one. No caustic is made anew.
@@ -134,6 +135,7 @@ class Engine {
 
   private:
     void setReceivers(const Scene& scene);
+    void uploadReceivers(const Scene& scene, const glm::dvec3& origin);
     template <typename Use>
     auto withPicture(glm::ivec2 size, bool goesOn, Use&& use);
     void updateSurface(double time);
@@ -151,6 +153,7 @@ class Engine {
     void fitMaps(glm::ivec2 size);
     double causticsTime(double time) const;
     void moveWater(double time);
+    void remakeFreed();
     void prepareMaps(ReceiverMaps& maps);
     LitReceiver litReceiver(const ReceiverMaps& maps) const;
     void drawLevelMap(ReceiverMaps& maps);

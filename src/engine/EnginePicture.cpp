@@ -129,10 +129,19 @@ Picture Engine::render(double time, glm::ivec2 size) {
     return draw(size);
 }
 
+/// Where maps were freed and no update came, the last one's are made anew.
+void Engine::remakeFreed() {
+    if (_causticsTime) return;
+    const double time = _waterTime;
+    updateSurface(causticsTime(time));
+    moveWater(time);
+}
+
 /// Calls `use` with the picture pass and its inputs for a picture of `size`; `goesOn`: one that was begun
 /// before.
 template <typename Use>
-auto Engine::withPicture(glm::ivec2 size, bool goesOn, Use&& use) {
+auto Engine::withPicture(glm::ivec2 size, bool goesOn, Use&& use) try {
+    remakeFreed();
     fitMaps(size);
     const std::vector<bool> shown = shownMaps(size);
     std::vector<Lit> lit;
@@ -155,6 +164,9 @@ auto Engine::withPicture(glm::ivec2 size, bool goesOn, Use&& use) {
     if (!goesOn) _skipped.unreadPasses += std::int64_t(_maps.size() - lit.size());
     return use(*_picturePass, PicturePass::Inputs{_scene, _origin, _patch, _surface.mesh(), _sides,
                                                   _receivers, lit, lights, _godrays, rests});
+} catch (...) {
+    freeMaps();
+    throw;
 }
 
 Picture Engine::draw(glm::ivec2 size) {

@@ -10,9 +10,10 @@ GodrayTarget::GodrayTarget(gl::Context& context)
 void GodrayTarget::resize(glm::ivec2 size) {
     if (_radiance.id() != 0 && _radiance.size() == size) return;
     gl::Ledger& ledger = _context.ledger();
+    _radiance = {}; // it comes last: memory may run out
+    _depth = gl::Texture(ledger, "depth buffer", GL_DEPTH_COMPONENT32F, size);
     _radiance = gl::Texture(ledger, "godrays", GL_RGBA32F, size);
     _radiance.setFilter(GL_LINEAR, GL_CLAMP_TO_EDGE);
-    _depth = gl::Texture(ledger, "depth buffer", GL_DEPTH_COMPONENT32F, size);
     const gl::Texture* const targets[] = {&_radiance};
     _target = gl::Framebuffer("godrays", targets, &_depth);
     _flat = gl::Framebuffer("godrays", targets);

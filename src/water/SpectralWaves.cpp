@@ -44,24 +44,24 @@ const std::string withTime[] = {"WITH_TIME"};
 SpectralWaves::SpectralWaves(gl::Context& context)
     : _context(context), _rows({"water/spectrum.comp"}, withTime), _columns({"water/spectrum.comp"}) {}
 
-void SpectralWaves::upload(SpectralTile& tile) {
-    const int texels = finer * tile.spectrum->modes;
+void SpectralWaves::upload(SpectralTile& tile, const Spectrum& spectrum) {
+    const int texels = finer * spectrum.modes;
     gl::Ledger& ledger = _context.ledger();
-    const auto modes = modesOf(*tile.spectrum);
+    const auto modes = modesOf(spectrum);
     const auto turns = turnsOf(texels);
     tile.modes = gl::Buffer(ledger, "spectrum", std::span<const ModeData>(modes));
     tile.turns = gl::Buffer(ledger, "spectrum", std::span<const glm::vec2>(turns));
     tile.lines = gl::Buffer(ledger, "spectrum",
-                            std::int64_t(tile.spectrum->modes) * texels * std::int64_t(sizeof(glm::vec2)));
+                            std::int64_t(spectrum.modes) * texels * std::int64_t(sizeof(glm::vec2)));
     tile.heights = gl::Texture(ledger, "spectrum", GL_R32F, glm::ivec2(texels));
     tile.heights.setFilter(GL_NEAREST, GL_REPEAT);
 }
 
 void SpectralWaves::update(SpectralTile& tile, const std::shared_ptr<const Spectrum>& spectrum, double time) {
     if (tile.spectrum != spectrum) {
-        tile = {};
+        tile = {}; // freed before more is asked for
+        upload(tile, *spectrum);
         tile.spectrum = spectrum;
-        upload(tile);
     }
     if (tile.time == time) return;
     tile.time = time;

@@ -34,7 +34,7 @@ class SpectralWaves {
     void update(SpectralTile& tile, const std::shared_ptr<const Spectrum>& spectrum, double time);
 
   private:
-    void upload(SpectralTile& tile);
+    void upload(SpectralTile& tile, const Spectrum& spectrum);
     gl::Context& _context;
     gl::Program _rows, _columns;
 };

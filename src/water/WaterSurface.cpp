@@ -43,7 +43,7 @@ WaterSurface::WaterSurface(gl::Context& context)
 
 void WaterSurface::resize(glm::ivec2 grid) {
     if (grid == _grid) return;
-    _grid = grid;
+    _grid = {}; // until all is there: memory may run out
     const auto indices = gridTriangles(grid);
     _mesh.quads = grid;
     _mesh.vertexCount = (grid.x + 1) * (grid.y + 1);
@@ -52,6 +52,7 @@ void WaterSurface::resize(glm::ivec2 grid) {
     _mesh.positions = gl::Buffer(_context.ledger(), "water", bytes);
     _mesh.normals = gl::Buffer(_context.ledger(), "water", bytes);
     _mesh.indices = gl::Buffer(_context.ledger(), "water", std::span<const std::uint32_t>(indices));
+    _grid = grid;
 }
 
 void WaterSurface::update(const Water& water, const WaterPatch& patch, const glm::dvec3& origin,
