@@ -1,5 +1,7 @@
 #include "io/Gltf.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "io/GltfFile.h"
@@ -14,7 +16,11 @@ namespace limpid::io {
 
 namespace {
 
-constexpr std::size_t maxInstances = std::size_t(1) << 20; ///< of all nodes
+/// Copies of meshes that a file may make: each takes a byte of it at least, wherever they are not all in one
+/// place.
+std::size_t roomForInstances(const GltfFile& file) {
+    return std::min(std::size_t(1) << 20, file.size + file.decompressed);
+}
 
 /// The mesh of a node, and every copy of it. `room`: for so many copies more.
 void addMesh(const GltfFile& file, const SceneNode& place, Skins& skins, std::size_t& room, Mesh& mesh) {
@@ -40,7 +46,7 @@ Model loadModel(const std::filesystem::path& path) {
     const std::vector<SceneNode> nodes = sceneNodes(file);
     Model model;
     Skins skins(file);
-    std::size_t room = maxInstances;
+    std::size_t room = roomForInstances(file);
     for (const SceneNode& node : nodes)
         if (file.model.nodes[node.node].mesh != -1) addMesh(file, node, skins, room, model.mesh);
     if (model.mesh.indices.empty()) file.fail("scene", "a mesh with triangles", "no triangles");
