@@ -80,16 +80,16 @@ EGLContext createContext(EGLDisplay display, bool debug) {
     EGLint count = 0;
     if (!eglChooseConfig(display, configAttributes, &config, 1, &count) || count == 0)
         config = EGL_NO_CONFIG_KHR;
-    const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
-                                 4,
-                                 EGL_CONTEXT_MINOR_VERSION,
-                                 5,
-                                 EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                 EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                                 EGL_CONTEXT_OPENGL_DEBUG,
-                                 debug ? EGL_TRUE : EGL_FALSE,
-                                 EGL_NONE};
-    return eglCreateContext(display, config, EGL_NO_CONTEXT, attributes);
+    std::vector<EGLint> attributes = {EGL_CONTEXT_MAJOR_VERSION,       4,
+                                      EGL_CONTEXT_MINOR_VERSION,       5,
+                                      EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                      EGL_CONTEXT_OPENGL_DEBUG,        debug ? EGL_TRUE : EGL_FALSE};
+    // So that requireContext is told of a reset.
+    if (epoxy_has_egl_extension(display, "EGL_EXT_create_context_robustness"))
+        attributes.insert(attributes.end(),
+                          {EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY, EGL_LOSE_CONTEXT_ON_RESET});
+    attributes.push_back(EGL_NONE);
+    return eglCreateContext(display, config, EGL_NO_CONTEXT, attributes.data());
 }
 
 bool open(EGLDisplay display, bool debug, EGLDisplay& openedDisplay, EGLContext& openedContext) {

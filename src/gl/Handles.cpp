@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "core/Error.h"
+#include "gl/Reset.h"
 
 namespace limpid::gl {
 
@@ -40,6 +41,7 @@ void checkAllocation(const std::string& kind, std::int64_t bytes, Undo undo) {
     const GLenum error = glGetError();
     if (error == GL_NO_ERROR) return;
     undo();
+    requireContext();
     throw GraphicsError(
         fmt::format("{}: expected room for {} bytes on the GPU, found {}", kind, bytes,
                     error == GL_OUT_OF_MEMORY ? "out of memory" : fmt::format("GL error {:#x}", error)));
@@ -73,6 +75,7 @@ void Buffer::copy(const Buffer& from, std::int64_t offset, std::int64_t bytes) {
 void Buffer::readBytes(void* out, std::int64_t offset, std::int64_t bytes) const {
     glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     if (bytes > 0) glGetNamedBufferSubData(_id, offset, bytes, out);
+    requireContext();
 }
 
 void Buffer::reset() {
@@ -144,6 +147,7 @@ std::vector<float> Texture::readFloats(GLenum format, int channels) const {
     std::vector<float> out(std::size_t(_size.x) * std::size_t(_size.y) * std::size_t(std::max(_layers, 1)) *
                            std::size_t(channels));
     glGetTextureImage(_id, 0, format, GL_FLOAT, GLsizei(out.size() * sizeof(float)), out.data());
+    requireContext();
     return out;
 }
 
@@ -186,9 +190,10 @@ Framebuffer::Framebuffer(std::string label, std::span<const Texture* const> colo
     }
     glNamedFramebufferDrawBuffers(_id, GLsizei(attachments.size()), attachments.data());
     const GLenum status = glCheckNamedFramebufferStatus(_id, GL_DRAW_FRAMEBUFFER);
-    if (status != GL_FRAMEBUFFER_COMPLETE)
-        throw GraphicsError(
-            fmt::format("{}: expected a complete framebuffer, found status {:#x}", label, status));
+    if (status == GL_FRAMEBUFFER_COMPLETE) return;
+    requireContext();
+    throw GraphicsError(
+        fmt::format("{}: expected a complete framebuffer, found status {:#x}", label, status));
 }
 
 void Framebuffer::bind() const {

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/Error.h"
+#include "gl/Reset.h"
 #include "gl/ShaderLibrary.h"
 
 namespace limpid::gl {
@@ -57,6 +58,7 @@ GLuint compile(const char* file, std::span<const std::string> defines) {
     std::string log(std::size_t(std::max(length, 1)), '\0');
     glGetShaderInfoLog(shader, length, nullptr, log.data());
     glDeleteShader(shader);
+    requireContext();
     throw GraphicsError(
         fmt::format("shaders/{}: does not compile: {}", file, source.locate(firstLines(log))));
 }
@@ -83,6 +85,7 @@ Program::Program(std::initializer_list<const char*> files, std::span<const std::
     glGetProgramiv(_id, GL_INFO_LOG_LENGTH, &length);
     std::string log(std::size_t(std::max(length, 1)), '\0');
     glGetProgramInfoLog(_id, length, nullptr, log.data());
+    requireContext();
     throw GraphicsError(fmt::format("shaders/{}: does not link: {}", label, firstLines(log)));
 }
 

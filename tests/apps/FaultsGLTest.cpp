@@ -169,6 +169,30 @@ TEST_F(FaultsGLTest, noRoomOnTheGpuIsThree) {
     EXPECT_EQ(run(command + " --gpu-memory 0").code, 2);
 }
 
+TEST_F(FaultsGLTest, aLostContextIsThree) {
+    const auto lost = [](int after) {
+        return fmt::format("LD_PRELOAD={} LOST_AFTER={}", LOST_CONTEXT, after);
+    };
+    const std::string line = "OpenGL: expected the GPU to stay, found it reset by another program";
+    expectOneLine(run("render " + box + " --size 16x9 -o " + path("a.png") + quick, lost(0)), 3, line);
+    EXPECT_EQ(entries(folder.path()), 0u);
+    const std::string bake = "bake " + box + " -o " + path("maps") + quick;
+    ASSERT_EQ(run(bake, lost(1000)).code, 0);
+    const auto before = contents(folder.path());
+    for (const int after : {0, 2, 4})
+        expectOneLine(run(bake + " --set light.sun.irradiance=[1,2,1]", lost(after)), 3, line);
+    EXPECT_TRUE(contents(folder.path()) == before);
+    // Of a sequence, what was there before the reset stays.
+    expectOneLine(
+        run("render " + box + " --size 16x9 --fps 10 --frames 0..999 -o " + path("f%04d.png") + quick,
+            lost(4)),
+        3, line);
+    EXPECT_EQ(io::readImage(path("f0000.png")).width, 16);
+    EXPECT_FALSE(fs::exists(path("f0009.png")));
+    for (const auto& [name, bytes] : contents(folder.path()))
+        EXPECT_EQ(name.find("partial"), name.npos) << name;
+}
+
 TEST_F(FaultsGLTest, aShaderThatDoesNotCompileIsThree) {
     fs::copy(std::string(LIMPID_ROOT) + "/shaders", path("shaders"), fs::copy_options::recursive);
     std::ofstream(path("shaders/water/beams.comp"), std::ios::app) << "\nnonsense;\n";

@@ -19,6 +19,7 @@
 #include "core/Statistics.h"
 #include "engine/Framing.h"
 #include "engine/Warnings.h"
+#include "gl/Reset.h"
 #include "io/Images.h"
 
 namespace limpid::viewer {
@@ -251,6 +252,8 @@ void Viewer::makePicture(const Layout& layout) {
         _worked = _worked || _stage.refines();
     } catch (const InputError& error) {
         fail(error);
+    } catch (const gl::ContextLost&) {
+        throw;
     } catch (const GraphicsError& error) { // no room, say: the user may ask for less
         fail(error);
     }

@@ -13,6 +13,7 @@
 
 #include "core/Error.h"
 #include "gl/Api.h"
+#include "gl/Reset.h"
 // After OpenGL's own declarations, so that it brings none.
 #include <GLFW/glfw3.h>
 
@@ -143,7 +144,12 @@ void Window::create(const Options& options) {
     // Nothing is drawn into the window itself but flat pictures.
     glfwWindowHint(GLFW_DEPTH_BITS, 0);
     glfwWindowHint(GLFW_STENCIL_BITS, 0);
-    _window = glfwCreateWindow(options.size.x, options.size.y, "Limpid", nullptr, nullptr);
+    // A driver that cannot tell of a reset may refuse a context that is to.
+    for (const int robustness : {GLFW_LOSE_CONTEXT_ON_RESET, GLFW_NO_ROBUSTNESS}) {
+        glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS, robustness);
+        _window = glfwCreateWindow(options.size.x, options.size.y, "Limpid", nullptr, nullptr);
+        if (_window) break;
+    }
     if (!_window)
         throw GraphicsError(
             fmt::format("expected a window with OpenGL 4.5 core by EGL, found {}", lastError()));
@@ -242,6 +248,7 @@ void Window::drawInterface() {
 
 void Window::swap() {
     glfwSwapBuffers(_window);
+    gl::requireContext();
 }
 
 std::vector<std::uint8_t> Window::pixels() const {
@@ -251,6 +258,7 @@ std::vector<std::uint8_t> Window::pixels() const {
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
     glReadPixels(0, 0, count.x, count.y, GL_RGB, GL_UNSIGNED_BYTE, upward.data());
+    gl::requireContext();
     for (std::size_t y = 0; y < std::size_t(count.y); ++y)
         std::memcpy(&out[y * row], &upward[(std::size_t(count.y) - 1 - y) * row], row);
     return out;
