@@ -1,6 +1,7 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <new>
 #include <set>
@@ -10,6 +11,7 @@
 
 #include "apps/Common.h"
 #include "core/Error.h"
+#include "io/Files.h"
 #include "io/TomlReader.h"
 
 namespace {
@@ -103,6 +105,10 @@ int main(int argc, char** argv) {
         return fail(2, error.what());
     } catch (const limpid::GraphicsError& error) {
         return fail(3, error.what());
+    } catch (const std::filesystem::filesystem_error& error) { // links in a circle, folders closed to looking
+        return fail(2, fmt::format("{}: expected a name that leads to a file or folder, found {}",
+                                   limpid::io::oneLine(error.path1().string()), error.code().message())
+                           .c_str());
     } catch (const std::system_error& error) { // as fmt has it for standard output
         return fail(2, error.what());
     } catch (const std::bad_alloc&) {

@@ -7,6 +7,9 @@
 #include <fstream>
 #include <stdexcept>
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
@@ -42,6 +45,26 @@ void writeImage(const fs::path& file, const OIIO::ImageSpec& spec, OIIO::TypeDes
     });
 }
 
+/// While it lives, nothing comes to stderr: libpng puts a line of its own there for what the error then says.
+class QuietStderr {
+  public:
+    QuietStderr() : _kept(::fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, 3)) {
+        const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
+        if (_kept >= 0 && nowhere >= 0) ::dup2(nowhere, STDERR_FILENO);
+        if (nowhere >= 0) ::close(nowhere);
+    }
+    ~QuietStderr() {
+        if (_kept < 0) return;
+        ::dup2(_kept, STDERR_FILENO);
+        ::close(_kept);
+    }
+    QuietStderr(const QuietStderr&) = delete;
+    QuietStderr& operator=(const QuietStderr&) = delete;
+
+  private:
+    int _kept;
+};
+
 [[noreturn]] void failReading(const fs::path& file, const std::string& reason) {
     throw InputError(fmt::format("{}: cannot read: {}", oneLine(file.string()), oneLine(reason)));
 }
@@ -69,6 +92,7 @@ void writePng(const fs::path& file, int width, int height, std::span<const std::
 
 Channel readFirstChannel(const fs::path& file, int minSide, int maxSide) {
     requireFile(file);
+    const QuietStderr quiet;
     OIIO::ImageSpec config;
     config.attribute("oiio:UnassociatedAlpha", 1); // alpha is nothing that a height should be multiplied by
     const auto input = OIIO::ImageInput::open(file.string(), &config);
@@ -87,6 +111,7 @@ Channel readFirstChannel(const fs::path& file, int minSide, int maxSide) {
 
 FloatImage readImage(const fs::path& file) {
     requireFile(file);
+    const QuietStderr quiet;
     const auto input = OIIO::ImageInput::open(file.string());
     if (!input) failReading(file, OIIO::geterror());
     const OIIO::ImageSpec& spec = input->spec();

@@ -45,6 +45,16 @@ class CompareCommandTest : public testing::Test {
     }
 };
 
+TEST_F(CompareCommandTest, linksInACircleAreAnErrorOfOneLine) {
+    std::filesystem::create_symlink(path("b"), path("a"));
+    std::filesystem::create_symlink(path("a"), path("b"));
+    const Result result = compare("a", "b");
+    EXPECT_EQ(result.code, 2);
+    EXPECT_EQ(result.out, "limpid: " + path("a") +
+                              ": expected a name that leads to a file or folder, found Too many levels of "
+                              "symbolic links\n");
+}
+
 TEST_F(CompareCommandTest, printsEveryFigure) {
     picture("a.exr", 1, 4);
     picture("b.exr", 1, 3);

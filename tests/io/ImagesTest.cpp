@@ -1,7 +1,9 @@
 #include "io/Images.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string_view>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -116,6 +118,21 @@ TEST(ReadTest, BadFilesAreErrorsOfOneLine) {
     EXPECT_EQ(read("empty.exr"), "empty.exr: expected a file, found an empty file");
     EXPECT_THAT(read("text.png"), StartsWith("text.png: cannot read: "));
     EXPECT_THAT(read("text.png"), testing::Not(HasSubstr("\n")));
+}
+
+TEST(ReadTest, TheLibraryOfABrokenPictureIsSilent) {
+    const TempFolder folder;
+    const auto file = folder.path() / "broken.png";
+    writePng(file, 2, 1, std::vector<std::uint8_t>{1, 2, 3, 4, 5, 6});
+    std::vector<std::uint8_t> bytes = readBytes(file);
+    constexpr std::string_view name = "IDAT";
+    const auto data = std::search(bytes.begin(), bytes.end(), name.begin(), name.end());
+    ASSERT_NE(data, bytes.end());
+    data[8] ^= 0x55;
+    writeText(file, std::string(bytes.begin(), bytes.end()));
+    testing::internal::CaptureStderr();
+    EXPECT_THAT(errorOf(folder, [&] { readImage(file); }), StartsWith("broken.png: cannot read: "));
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
 TEST(OneLineTest, JoinsAndCuts) {
