@@ -60,17 +60,6 @@ void drawTetrahedron(Corner a, Corner b, Corner c, Corner d) {
     }
 }
 
-// Where the cross-section of a beam is no area, in rising order; 1e30 for none.
-vec2 turnsOf(vec3 section) {
-    float scale = abs(section.y) + sqrt(abs(section.x * section.z));
-    if (abs(section.z) <= 1e-7 * scale) return vec2(section.y != 0.0 ? -section.x / section.y : 1e30, 1e30);
-    float square = section.y * section.y - 4.0 * section.x * section.z;
-    if (square <= 0.0) return vec2(1e30);
-    float half_ = -0.5 * (section.y + (section.y < 0.0 ? -1.0 : 1.0) * sqrt(square));
-    vec2 turns = vec2(half_ / section.z, section.x / half_);
-    return turns.x < turns.y ? turns : turns.yx;
-}
-
 void main() {
     ivec2 range = ranges[volume[0].beam];
     if (volume[0].number >= range.y) return;

@@ -3,38 +3,13 @@
 // In: beams, the scene depth map of the light. Out, two a line: from (m from the scene's origin; w: flux, in the unit of
 // beams), to (w: metres).
 #include "include/photon_ray.glsl"
-#include "include/scene_depth.glsl"
+#include "include/ray_hit.glsl"
 #include "include/surface_shadow.glsl"
 layout(local_size_x = 64) in;
 layout(std430, binding = 6) writeonly buffer Lines { vec4 lines[]; };
 layout(location = 5) uniform float reach;    // m, for light that meets nothing
 layout(location = 6) uniform float farthest; // m of water below which nothing lies
 layout(location = 7) uniform int testSurfaceShadow;
-
-const int leaps = 48, halvings = 10;
-
-// Leaps of most of the way to what the mean light would meet from here, until that is passed. A ray that slips behind an
-// edge ends there: what it meets behind is not in the map.
-float metresToHit(vec3 from, vec3 direction) {
-    float low = 0.0;
-    vec2 gap = beforeFirst(from);
-    for (int i = 0; i < leaps && low < 1.5 * farthest; ++i) {
-        float high = low + (gap.y > 1e29 ? farthest / 16.0 : max(0.7 * gap.x, farthest / 200.0));
-        vec2 next = beforeFirst(from + high * direction);
-        if (next.x > 0.0) {
-            low = high;
-            gap = next;
-            continue;
-        }
-        for (int k = 0; k < halvings; ++k) {
-            float middle = 0.5 * (low + high);
-            if (beforeFirst(from + middle * direction).x > 0.0) low = middle;
-            else high = middle;
-        }
-        return high;
-    }
-    return reach;
-}
 
 void main() {
     int cell = int(gl_GlobalInvocationID.y * gl_NumWorkGroups.x * gl_WorkGroupSize.x + gl_GlobalInvocationID.x);
@@ -44,7 +19,7 @@ void main() {
         Photon photon = photonOf(cell, i);
         float flux = photon.flux;
         if (testSurfaceShadow != 0) flux *= surfaceVisibility(photon.from, 0.0);
-        float metres = flux > 0.0 ? min(metresToHit(photon.from, photon.direction), reach) : 0.0;
+        float metres = flux > 0.0 ? min(metresToHit(photon.from, photon.direction, farthest, reach), reach) : 0.0;
         lines[2 * (cell * count + i)] = vec4(photon.from, flux);
         lines[2 * (cell * count + i) + 1] = vec4(photon.from + metres * photon.direction, metres);
     }

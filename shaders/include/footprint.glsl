@@ -1,6 +1,6 @@
 // A ray of a beam seen from a receiver's box: it meets depth z at `at + z · slope`, in texels of the receiver's maps.
 #include "include/box.glsl"
-#include "include/cross.glsl"
+#include "include/cross_section.glsl"
 
 // (at, slope) in texels and texels per metre of a ray, both in the box's axes, m.
 vec4 rayFootprint(vec3 origin, vec3 direction) {
@@ -13,13 +13,6 @@ vec4 rayFootprint(vec3 origin, vec3 direction) {
 
 // Whether all three rays of a beam meet the box's planes.
 bool meetsPlanes(vec4 a, vec4 b, vec4 c) { return max(abs(a.z), max(abs(b.z), abs(c.z))) * boxExtent.w < 1e5; }
-
-// Cross-section of a beam perpendicular to the box's axis: twice its signed area at depth z is c0 + c1 z + c2 z², in
-// texels.
-vec3 crossSection(vec4 a, vec4 b, vec4 c) {
-    vec4 e = b - a, f = c - a;
-    return vec3(cross2(e.xy, f.xy), cross2(e.xy, f.zw) + cross2(e.zw, f.xy), cross2(e.zw, f.zw));
-}
 
 // Rasterisers place corners on a grid of 1/256 texel and cover a texel's centre with no triangle that is smaller
 // than half a cell of it, in texels; so this is no clamp of the light, it only keeps rounding from dividing by 0.

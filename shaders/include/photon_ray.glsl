@@ -15,11 +15,9 @@ struct Photon {
     float flux;     // in the unit of beams
 };
 
-// Photon `i` of a cell, below subdivision². Quads are cut as in water/WaterSurface.cpp.
-Photon photonOf(int cell, int i) {
-    vec2 photons = vec2(cells * subdivision);
-    ivec2 number = ivec2(cell % cells.x, cell / cells.x) * subdivision + ivec2(i % subdivision, i / subdivision);
-    vec2 xz = photonRect.xy + (vec2(number) + 0.5) / photons * photonRect.zw;
+// The photon through a place of the level, of a piece as large as those of the grid. Quads are cut as in
+// water/WaterSurface.cpp.
+Photon photonAt(vec2 xz) {
     vec2 at = clamp((xz - patchRect.xy) / patchRect.zw * vec2(quads), vec2(0.0), vec2(quads) - 1e-4);
     ivec2 quad = min(ivec2(at), quads - 1);
     vec2 f = at - vec2(quad);
@@ -39,6 +37,12 @@ Photon photonOf(int cell, int i) {
         from += w[i] * origins[vertex].xyz;
         direction += w[i] * directions[vertex].xyz;
     }
-    vec2 quadSize = patchRect.zw / vec2(quads), cellSize = photonRect.zw / photons;
+    vec2 quadSize = patchRect.zw / vec2(quads), cellSize = photonRect.zw / vec2(cells * subdivision);
     return Photon(from, normalize(direction), flux[triangle] * (cellSize.x * cellSize.y) / (0.5 * quadSize.x * quadSize.y));
+}
+
+// Photon `i` of a cell, below subdivision².
+Photon photonOf(int cell, int i) {
+    ivec2 number = ivec2(cell % cells.x, cell / cells.x) * subdivision + ivec2(i % subdivision, i / subdivision);
+    return photonAt(photonRect.xy + (vec2(number) + 0.5) / vec2(cells * subdivision) * photonRect.zw);
 }
