@@ -114,7 +114,9 @@ void GodrayRun::time(Series& series) {
     series.ms.push_back(ms);
     if (!first) return;
     for (const auto& [kind, bytes] : _context.ledger().byKind())
-        if (kind == "godrays" || kind == "photon lines" || kind == "lit water") series.result.bytes += bytes;
+        if (kind == "godrays" || kind == "photon lines" || kind == "lit water" ||
+            kind == "illumination volumes")
+            series.result.bytes += bytes;
     if (!subject.truth) return;
     series.result.error = errorOf(picture, subject);
     series.result.standardError = subject.truth->standardError;
@@ -154,13 +156,14 @@ std::vector<GodrayResult> profileGodrays(gl::Context& context, const io::Profile
 }
 
 std::string godraysCsv(const std::vector<GodrayResult>& results) {
-    std::string csv = "profile,scene,method,grid,scale,planes,steps,ms:min,ms:median,ms:p95,bytes,"
-                      "error:nmae,error:nrmse,error:flux_ratio,standard_error\n";
+    std::string csv =
+        "profile,scene,method,grid,scale,planes,steps,sub_volumes,ms:min,ms:median,ms:p95,bytes,"
+        "error:nmae,error:nrmse,error:flux_ratio,standard_error\n";
     for (const GodrayResult& r : results) {
         const GodraySettings& s = r.settings;
-        csv += fmt::format("{},{},{},{},{:.6g},{},{},{:.6g},{:.6g},{:.6g},{}", r.profile, r.scene,
-                           godrayMethodName(s.method), gridOf(s), s.scale, s.planes, s.steps, r.ms.min,
-                           r.ms.median, r.ms.p95, r.bytes);
+        csv += fmt::format("{},{},{},{},{:.6g},{},{},{},{:.6g},{:.6g},{:.6g},{}", r.profile, r.scene,
+                           godrayMethodName(s.method), gridOf(s), s.scale, s.planes, s.steps, s.subVolumes,
+                           r.ms.min, r.ms.median, r.ms.p95, r.bytes);
         csv += r.error ? fmt::format(",{:.6g},{:.6g},{:.6g},{:.6g}\n", r.error->nmae, r.error->nrmse,
                                      r.error->fluxRatio, *r.standardError)
                        : ",,,,\n";

@@ -87,6 +87,7 @@ Json godrayJson(const GodrayResult& result) {
                  {"scale", settings.scale},
                  {"planes", settings.planes},
                  {"steps", settings.steps},
+                 {"sub_volumes", settings.subVolumes},
                  {"godrays_ms", spreadJson(result.ms)},
                  {"gpu_bytes", result.bytes}};
     if (result.error) json["error"] = errorJson(*result.error);

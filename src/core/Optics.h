@@ -30,7 +30,9 @@ using namespace glm;
 #include "include/optics.glsl"
 #include "include/phase.glsl"
 #include "include/planes.glsl"
+#include "include/shaft_cuts.glsl"
 #include "include/spline.glsl"
+#include "include/tetrahedron.glsl"
 #include "include/water_grid.glsl"
 #include "include/waves.glsl"
 } // namespace

@@ -19,6 +19,7 @@
 #include "gl/TimerQuery.h"
 #include "godrays/ExactShafts.h"
 #include "godrays/PhotonLines.h"
+#include "godrays/Tetrahedra.h"
 #include "levelmap/LampShadow.h"
 #include "levelmap/LevelMap.h"
 #include "levelmap/PlaneDepths.h"
@@ -196,6 +197,7 @@ class Engine {
     std::unique_ptr<GodrayTarget> _godrayTarget;     ///< made for the first picture that shows some
     std::unique_ptr<PhotonLines> _photonLines;       ///< likewise
     std::unique_ptr<ExactShafts> _exactShafts;       ///< likewise
+    std::unique_ptr<Tetrahedra> _tetrahedra;         ///< likewise
     std::unique_ptr<PicturePass> _picturePass;       ///< made for the first picture: a bake needs none
     std::unique_ptr<LampShadowPass> _lampShadowPass; ///< made for the first lamp under water in one
 

@@ -48,6 +48,10 @@ void Engine::drawGodrays(const GodrayInputs& inputs) {
         if (!_exactShafts) _exactShafts = std::make_unique<ExactShafts>(_context);
         _exactShafts->draw(*_godrayTarget, inputs);
         break;
+    case GodrayMethod::Tetrahedra:
+        if (!_tetrahedra) _tetrahedra = std::make_unique<Tetrahedra>(_context);
+        _tetrahedra->draw(*_godrayTarget, inputs);
+        break;
     }
 }
 

@@ -336,6 +336,7 @@ GodraySettings parseGodrays(TomlTable table) {
     parseWhole(table, "subdivision", godrays.subdivision, 1, 16);
     parseWhole(table, "planes", godrays.planes, 1, 1024);
     parseWhole(table, "steps", godrays.steps, 1, 4096);
+    parseWhole(table, "sub_volumes", godrays.subVolumes, 0, 256);
     table.number("scale", godrays.scale, {.min = 0, .max = 1, .openMin = true, .text = " > 0 and <= 1"});
     table.number("line_width", godrays.lineWidth, {.min = 0.5, .max = 256, .text = " from 0.5 to 256"});
     parseWhole(table, "filter_taps", godrays.filterTaps, 0, 32);

@@ -145,6 +145,7 @@ void addGodrays(Table table, const GodraySettings& godrays) {
     table.add("subdivision", godrays.subdivision);
     table.add("planes", godrays.planes);
     table.add("steps", godrays.steps);
+    table.add("sub_volumes", godrays.subVolumes);
     table.add("scale", godrays.scale);
     table.add("line_width", godrays.lineWidth);
     table.add("filter_taps", godrays.filterTaps);

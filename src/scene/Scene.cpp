@@ -7,7 +7,7 @@ constexpr Fill fills[] = {Fill::Drawn, Fill::OnePass};
 constexpr Method methods[] = {Method::LevelMap,   Method::LevelMapSmart, Method::ExactBeam,
                               Method::Volumetric, Method::Stencil,       Method::PhotonSplat};
 constexpr GodrayMethod godrayMethods[] = {GodrayMethod::None, GodrayMethod::PhotonLines,
-                                          GodrayMethod::ExactShafts};
+                                          GodrayMethod::ExactShafts, GodrayMethod::Tetrahedra};
 } // namespace
 
 std::span<const Method> allMethods() {
@@ -83,6 +83,8 @@ std::string_view godrayMethodName(GodrayMethod method) {
         return "photon-lines";
     case GodrayMethod::ExactShafts:
         return "exact-shafts";
+    case GodrayMethod::Tetrahedra:
+        return "tetrahedra";
     }
     return "";
 }

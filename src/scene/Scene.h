@@ -139,7 +139,7 @@ struct CausticsSettings {
     bool operator==(const CausticsSettings&) const = default;
 };
 
-enum class GodrayMethod { None, PhotonLines, ExactShafts };
+enum class GodrayMethod { None, PhotonLines, ExactShafts, Tetrahedra };
 enum class Phase { HenyeyGreenstein, Schlick };
 
 /// Light that the water scatters to a camera below the surface. Of photon lines, with the paper's settings.
@@ -154,6 +154,7 @@ struct GodraySettings {
     double filterRadius = 1.5; ///< pixels of the target, [0, 64]
     int planes = 32;           ///< layers of lit water down to the deepest receiver, [1, 1024]
     int steps = 96;            ///< along a view ray, [1, 4096]
+    int subVolumes = 0;        ///< of an illumination volume, [0, 256]; 0: as many as the water asks for
 
     bool operator==(const GodraySettings&) const = default;
 };

@@ -182,15 +182,20 @@ filter_taps = 0
 method = "exact-shafts"
 scale = 1
 filter_taps = 0
+[[godrays]]
+method = "tetrahedra"
+grid = [40, 40]
+scale = 1
+filter_taps = 0
 )";
 
 TEST_F(ProfileCommandGLTest, measuresGodraysAgainstSingleScattering) {
     folder.write("rays.toml", godrayProfile);
     const Result ran = run("profile " + path("rays.toml") + " -o " + path("out"));
     ASSERT_EQ(ran.code, 0) << ran.out;
-    EXPECT_THAT(ran.out, HasSubstr("exact-shafts"));
+    EXPECT_THAT(ran.out, AllOf(HasSubstr("exact-shafts"), HasSubstr("tetrahedra")));
     const Json rays = results()["godrays"];
-    ASSERT_EQ(rays.size(), 2u);
+    ASSERT_EQ(rays.size(), 3u);
     for (const Json& result : rays) {
         expectSpread(result["godrays_ms"]);
         EXPECT_GT(result["gpu_bytes"], 0);

@@ -152,10 +152,12 @@ const TextCase settings[] = {
      "4:12: caustics.map_size: expected a whole number from 1 to 16384, found 16385"},
     {"[caustics]\nplanes = 0", "4:10: caustics.planes: expected a whole number from 1 to 4096, found 0"},
     {"[caustics]\nthreshold = 0", "4:13: caustics.threshold: expected a number > 0 and <= 1, found 0"},
-    {"[godrays]\nmethod = \"shafts\"", "4:10: godrays.method: expected \"none\", \"photon-lines\" or "
-                                       "\"exact-shafts\", found \"shafts\""},
+    {"[godrays]\nmethod = \"shafts\"", "4:10: godrays.method: expected \"none\", \"photon-lines\", "
+                                       "\"exact-shafts\" or \"tetrahedra\", found \"shafts\""},
     {"[godrays]\nplanes = 0", "4:10: godrays.planes: expected a whole number from 1 to 1024, found 0"},
     {"[godrays]\nsteps = 5000", "4:9: godrays.steps: expected a whole number from 1 to 4096, found 5000"},
+    {"[godrays]\nsub_volumes = 257",
+     "4:15: godrays.sub_volumes: expected a whole number from 0 to 256, found 257"},
     {"[sky]\nradiance = 1", "4:12: sky.radiance: expected three numbers from 0 to 1e12, found 1"},
 };
 

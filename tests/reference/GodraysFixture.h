@@ -87,7 +87,7 @@ class GodraysGLTest : public EngineGLTest {
         const std::vector<float> with = engine.render(0, pictureSize).rgb;
         for (const auto& [pass, ms] : engine.timers().collect())
             EXPECT_NE(pass, "godrays");
-        for (const char* kind : {"godrays", "photon lines", "lit water"})
+        for (const char* kind : {"godrays", "photon lines", "lit water", "illumination volumes"})
             EXPECT_EQ(context().ledger().byKind().count(kind), 0u) << kind;
         scene.godrays.method = GodrayMethod::None;
         engine.setScene(scene);

@@ -77,7 +77,7 @@ void godraysSection(State& state) {
     ImGui::PushID("godrays");
     GodraySettings& godrays = state.scene.godrays;
     int method = int(godrays.method);
-    if (ImGui::Combo("method", &method, "none\0photon lines\0exact shafts\0"))
+    if (ImGui::Combo("method", &method, "none\0photon lines\0exact shafts\0tetrahedra\0"))
         godrays.method = static_cast<GodrayMethod>(method);
     hint("how light is drawn that the water scatters");
     if (godrays.method != GodrayMethod::None) {
@@ -86,12 +86,16 @@ void godraysSection(State& state) {
         if (ImGui::Combo("phase", &phase, "Henyey-Greenstein\0Schlick\0"))
             godrays.phase = static_cast<Phase>(phase);
         wholeNumbers("grid", godrays.grid, 1, 2048, "cells over the water");
-        wholeNumber("subdivision", godrays.subdivision, 1, 16, "lines along a side of a cell");
+        wholeNumber("subdivision", godrays.subdivision, 1, 16,
+                    "lines, rays or volumes along a side of a cell");
         number("scale", godrays.scale, {.speed = 0.005, .min = 0.01, .max = 1},
                "sides of what they are drawn into, of the picture's");
         if (godrays.method == GodrayMethod::PhotonLines) {
             number("line width", godrays.lineWidth, {.speed = 0.02, .min = 0.5, .max = 256},
                    "pixels of that");
+        } else if (godrays.method == GodrayMethod::Tetrahedra) {
+            wholeNumber("sub-volumes", godrays.subVolumes, 0, 256,
+                        "along each volume of light; 0: as many as the water asks for");
         } else {
             wholeNumber("planes", godrays.planes, 1, 1024, "along the light, between which it is summed");
             wholeNumber("steps", godrays.steps, 1, 4096, "of a view ray through them");
