@@ -89,7 +89,7 @@ void SceneDepthPass::drawFirst(SceneDepth& depth, glm::ivec2 size, const Inputs&
 void SceneDepthPass::drawSolids(SceneDepth& depth, const Inputs& inputs) {
     const glm::ivec2 size = depth.first.size();
     gl::Ledger& ledger = _context.ledger();
-    if (depth.pyramid.size() != size || depth.pyramid.id() == 0) {
+    if (depth.pyramid.size() != size || depth.pyramid.id() == 0 || depth.second.id() == 0) {
         depth.pyramid = gl::Texture(ledger, "scene depth pyramid", GL_RGBA32F, size, gl::Mipmaps::Full);
         depth.second = gl::Texture(ledger, "second solids", GL_RG32F, size);
     }
