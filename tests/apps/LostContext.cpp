@@ -2,17 +2,16 @@
 // as LOST_AFTER says, the context is lost.
 #include <cstdlib>
 
-#include <GL/gl.h>
-#include <GL/glext.h>
-
 namespace {
-GLenum status() {
+constexpr unsigned noError = 0, innocentContextReset = 0x8254; // as OpenGL numbers them
+
+unsigned status() {
     static int left = std::atoi(std::getenv("LOST_AFTER"));
-    return left-- > 0 ? GL_NO_ERROR : GL_INNOCENT_CONTEXT_RESET;
+    return left-- > 0 ? noError : innocentContextReset;
 }
 } // namespace
 
 extern "C" {
 /// By the name of the pointer that libepoxy calls through.
-__attribute__((visibility("default"))) GLenum (*epoxy_glGetGraphicsResetStatus)() = status;
+__attribute__((visibility("default"))) unsigned (*epoxy_glGetGraphicsResetStatus)() = status;
 }
