@@ -1,4 +1,4 @@
-// Which landings a level map has a texel for. Run once for each map, and last with receiverNumber -1 for the rays that
+// Which landings a level map has a texel for. Run once for each map, those along the light after the further ones, and last with receiverNumber -1 for the rays that
 // no map has taken. A ray that is counted is marked -4.
 // In: landings, beam origins, flux. Out, added a beam: missed, rejected, absorbed, scattered, in W, mean of R, G, B.
 #include "include/box.glsl"
@@ -45,6 +45,14 @@ float placedShare(vec3 point) {
     return share;
 }
 
+// Whether a point is outside of the box around all of the receiver: the scene depth map is wider than what is in it by up
+// to half a texel, and for a lamp by what its edges bend.
+bool isBesideBox(vec3 point) {
+    if ((boxSize.w & 7) != 0) return false;
+    vec2 q = boxLocal(point).xy;
+    return any(lessThan(q, vec2(0.0))) || any(greaterThan(q, boxExtent.xy));
+}
+
 void main() {
     int beam = int(gl_GlobalInvocationID.y * gl_NumWorkGroups.x * gl_WorkGroupSize.x + gl_GlobalInvocationID.x);
     if (beam >= beamCount) return;
@@ -58,6 +66,10 @@ void main() {
         vec4 landing = landings[ray];
         bool last = receiverNumber < 0;
         if (landing.w == counted || landing.w == shaded || (!last && int(landing.w) != receiverNumber)) continue;
+        if (!last && isBesideBox(landing.xyz)) {
+            landings[ray].w = -1.0;
+            continue;
+        }
         float share = last ? 0.0 : placedShare(landing.xyz);
         if (share < 0.0) continue;
         landings[ray].w = counted;

@@ -39,6 +39,11 @@ struct TouchWork {
     std::int32_t asked = 0, count[2]{};
 };
 
+double fluxPerStepOf(const ExactBeams::Inputs& inputs) {
+    const double beams = 2.0 * inputs.surface.quads.x * inputs.surface.quads.y;
+    return fluxPerStep(inputs.map, inputs.light, inputs.patch, beams);
+}
+
 } // namespace
 
 ExactBeams::ExactBeams(gl::Context& context)
@@ -121,7 +126,7 @@ void ExactBeams::bindSums(const Inputs& inputs) {
 void ExactBeams::deposit(const Inputs& inputs) {
     if (inputs.beams.strength == glm::dvec3(0)) return;
     bindSums(inputs);
-    const double stepsPerFlux = 1 / (fluxPerStep(inputs.map, inputs.light) * inputs.points);
+    const double stepsPerFlux = 1 / (fluxPerStepOf(inputs) * inputs.points);
     const bool coloured = channelsOf(inputs.colours, inputs.water) > 1;
     const bool extinction = inputs.water.absorption + inputs.water.scattering != glm::dvec3(0);
     const bool mayBeShaded = inputs.sceneDepth || inputs.beams.surfaceShadow;
@@ -158,8 +163,9 @@ void ExactBeams::resolve(CausticMap& caustics, const Inputs& inputs) {
     inputs.map.normal.bind(0);
     inputs.planes.planes.bind(1);
     caustics.irradiance.bindImage(0, GL_WRITE_ONLY);
-    _resolve.set(WattsPerStep, glm::vec3(inputs.beams.strength * (fluxPerStep(inputs.map, inputs.light) /
-                                                                  inputs.map.frame.texelArea())));
+    const double fluxPerStep = fluxPerStepOf(inputs);
+    _resolve.set(WattsPerStep,
+                 glm::vec3(inputs.beams.strength * (fluxPerStep / inputs.map.frame.texelArea())));
     _resolve.set(Channels, channelsOf(inputs.colours, inputs.water));
     _resolve.dispatch2D(size, resolveGroupSize);
     glMemoryBarrier(GL_ALL_BARRIER_BITS);

@@ -31,6 +31,7 @@ class ExactBeams {
         const SceneDepth* sceneDepth; ///< of the light; null if nothing can be before the receiver
         const Beams& beams;           ///< of the level map's light
         const WaterMesh& surface;
+        const WaterPatch& patch;
         const Water& water;
         const Light& light;
         const BeamCulling* culling = nullptr; ///< its list says which beams to ask about the map; null: all

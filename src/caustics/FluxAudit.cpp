@@ -97,10 +97,12 @@ FluxBalance FluxAudit::count(const Beams& beams, const WaterMesh& surface, const
             _meet.set(MetReceiver, placed.receiver);
             follow(_meet, first, beamCount, farthest);
         }
-        for (const Placed& placed : maps) {
-            bindMap(*placed.map);
-            place(first, beamCount, placed.receiver);
-        }
+        for (const bool further : {true, false})
+            for (const Placed& placed : maps) {
+                if ((placed.map->facing > 0) != further) continue;
+                bindMap(*placed.map);
+                place(first, beamCount, placed.receiver);
+            }
         place(first, beamCount, unplaced);
     }
     for (const glm::vec4& c : counts.read<glm::vec4>(std::size_t(beams.triangleCount))) {

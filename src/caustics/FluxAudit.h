@@ -21,8 +21,8 @@ struct FluxBalance {
     double residual() const { return entering - absorbed - scattered - deposited - missed - rejected; }
 };
 
-/// Follows a few rays of every beam to where they land. It shares the beams and the scene depth map with the
-/// methods, but no rasteriser, no plane and no texel sum, so that what those lose or double shows as
+/// Follows a few rays of every beam to where they land. It shares the beams with the methods, and is given a
+/// scene depth map of its own, but no plane and no texel sum, so that what those lose or double shows as
 /// residual.
 class FluxAudit {
   public:

@@ -1,12 +1,22 @@
 #include "caustics/FluxSums.h"
 
 #include <algorithm>
+#include <numbers>
 
 namespace limpid {
 
 namespace {
 constexpr GLuint binding = 8;
+
+/// What all beams of the patch take together, in their unit; of a lamp, no more than about that.
+double patchFlux(const LevelMap& map, const Light& light, const WaterPatch& patch) {
+    const double area = patch.size.x * patch.size.y;
+    if (light.type == LightType::Directional)
+        return area * std::max(-glm::normalize(light.direction).y, 1e-6);
+    const glm::dvec3 away = map.frame.box.center() - light.position;
+    return std::min(2 * std::numbers::pi, area / std::max(glm::dot(away, away), 1e-12));
 }
+} // namespace
 
 double unfocusedFlux(const LevelMap& map, const Light& light) {
     const double area = map.frame.texelArea();
@@ -17,6 +27,10 @@ double unfocusedFlux(const LevelMap& map, const Light& light) {
 
 double fluxPerStep(const LevelMap& map, const Light& light) {
     return unfocusedFlux(map, light) * 0x1p-22;
+}
+
+double fluxPerStep(const LevelMap& map, const Light& light, const WaterPatch& patch, double parts) {
+    return std::min(fluxPerStep(map, light), patchFlux(map, light, patch) / parts * 0x1p-14);
 }
 
 void FluxSums::bind(std::int64_t count) {

@@ -6,6 +6,7 @@
 #include "gl/Handles.h"
 #include "levelmap/LevelMap.h"
 #include "scene/Scene.h"
+#include "water/FlatWater.h"
 
 namespace limpid {
 
@@ -32,6 +33,10 @@ double unfocusedFlux(const LevelMap& map, const Light& light);
 /// Flux of one step of the sums, of which the light of an unfocused texel has 2²²: rounding is then below a
 /// float's, and the lower word holds a thousandfold focus.
 double fluxPerStep(const LevelMap& map, const Light& light);
+
+/// The same for sums over so many equal parts of a patch's light, of which each has at least 2¹⁴ steps: beams
+/// of a lens are many, small and equal, so that all of them would be rounded alike.
+double fluxPerStep(const LevelMap& map, const Light& light, const WaterPatch& patch, double parts);
 
 /// Whether three numbers, by colour channel, are one.
 inline bool isGrey(const glm::dvec3& v) {

@@ -41,6 +41,18 @@ glm::vec4 splatOf(const PhotonSplat::Inputs& inputs) {
     return {glm::vec2(splatSizes(sizes, nearest, farthest)), glm::vec2(sizes)};
 }
 
+WaterPatch photonPatch(const PhotonSplat::Inputs& inputs) {
+    return lightingPatch(inputs.scene.water, inputs.light, inputs.wet, inputs.patch);
+}
+
+/// A photon is shared among the texels of its splat.
+double fluxPerStepOf(const PhotonSplat::Inputs& inputs) {
+    const CausticsSettings& settings = inputs.scene.caustics;
+    const double side = settings.photonSubdivision * settings.splatSize.y;
+    const double parts = double(settings.photonGrid.x) * settings.photonGrid.y * side * side;
+    return fluxPerStep(inputs.map, inputs.light, photonPatch(inputs), parts);
+}
+
 } // namespace
 
 glm::dvec2 splatSizes(const glm::dvec2& sizes, double nearest, double farthest) {
@@ -68,7 +80,6 @@ void PhotonSplat::reserveSums(std::int64_t count, bool filtered) {
 void PhotonSplat::cast(const Inputs& inputs, int channels, double stepsPerFlux) {
     const CausticsSettings& settings = inputs.scene.caustics;
     const Water& water = inputs.scene.water;
-    const WaterPatch photons = lightingPatch(water, inputs.light, inputs.wet, inputs.patch);
     inputs.beams.frame.bindUniform(0);
     if (inputs.sceneDepth) inputs.sceneDepth->bind();
     if (inputs.beams.surfaceShadow) inputs.beams.surfaceShadow->bind(surfaceShadowUnit);
@@ -78,7 +89,7 @@ void PhotonSplat::cast(const Inputs& inputs, int channels, double stepsPerFlux) 
     inputs.beams.flux.bindStorage(5);
     _cast.set(PatchRect, rectOf(inputs.patch, inputs.origin));
     _cast.set(Quads, inputs.surface.quads);
-    _cast.set(PhotonRect, rectOf(photons, inputs.origin));
+    _cast.set(PhotonRect, rectOf(photonPatch(inputs), inputs.origin));
     _cast.set(Cells, settings.photonGrid);
     _cast.set(Subdivision, settings.photonSubdivision);
     _cast.set(StepsPerFlux, float(stepsPerFlux));
@@ -108,7 +119,7 @@ void PhotonSplat::fill(CausticMap& caustics, const Inputs& inputs) {
     const int channels = channelsOf(Colours::AsNeeded, inputs.scene.water);
     const bool filtered = inputs.scene.caustics.filterTaps > 0;
     reserveSums((std::int64_t(size.x) * size.y + 2) * channels, filtered);
-    const double perStep = fluxPerStep(inputs.map, inputs.light);
+    const double perStep = fluxPerStepOf(inputs);
     inputs.map.box.bindUniform(1);
     inputs.planes.planes.bind(0);
     inputs.map.normal.bind(2);

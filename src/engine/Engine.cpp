@@ -16,6 +16,9 @@ namespace {
 
 using Scope = gl::PassTimers::Scope;
 
+/// The map size whose scene depth map light is counted by, at least.
+constexpr int auditMapSize = 1024;
+
 /// As texelFrame has it.
 bool isFlat(const OrientedBox& box) {
     return box.extent.z <= 1e-4 * std::max(box.extent.x, box.extent.y);
@@ -254,7 +257,7 @@ void Engine::updateLight(int index) {
         _surfaceShadowPass.draw(state.surfaceShadow, state.beams, _receivers);
     }
     state.sceneDepth = {};
-    if (needsSceneDepth(index)) drawSceneDepth(index);
+    if (needsSceneDepth(index)) drawSceneDepth(state.sceneDepth, state, _scene.caustics.mapSize);
 }
 
 /// The other points of a disc look at what the middle does: they differ in where their rays come from alone.
@@ -271,13 +274,11 @@ void Engine::prepareDisc(int index, const LightFrameData& middle) {
     }
 }
 
-void Engine::drawSceneDepth(int index) {
-    LightState& state = _lights[std::size_t(index)];
+void Engine::drawSceneDepth(SceneDepth& depth, const LightState& state, int mapSize) {
     Scope scope(_timers, "scene depth map");
     const SceneDepthPass::Inputs inputs{state.beams, _receivers, state.farthest};
-    _sceneDepthPass.drawFirst(state.sceneDepth, sceneDepthSize(state.beams.rect, _scene.caustics.mapSize),
-                              inputs);
-    if (goesOwnWay(_scene.caustics.method)) _sceneDepthPass.drawSolids(state.sceneDepth, inputs);
+    _sceneDepthPass.drawFirst(depth, sceneDepthSize(state.beams.rect, mapSize), inputs);
+    if (goesOwnWay(_scene.caustics.method)) _sceneDepthPass.drawSolids(depth, inputs);
 }
 
 /// What a method needs to know of a receiver.
@@ -370,15 +371,19 @@ void Engine::slice(LevelMap& map) {
 }
 
 FluxBalance Engine::auditFlux(int index) try {
-    LightState& state = _lights[std::size_t(index)];
-    if (!state.sceneDepth.first.id()) drawSceneDepth(index);
+    const LightState& state = _lights[std::size_t(index)];
+    if (state.beams.strength == glm::dvec3(0)) return {};
+    // Rims are told by texels' middles. That may put a floor's four all outwards or all inwards: with the
+    // methods' own map, which at 256 is 512 wide, 0.4 % of its light.
+    SceneDepth sceneDepth;
+    drawSceneDepth(sceneDepth, state, std::max(_scene.caustics.mapSize, auditMapSize));
     std::vector<FluxAudit::Placed> levels;
     for (const ReceiverMaps& maps : _maps)
         if (maps.light == index) levels.push_back({maps.receiver, &maps.level});
     Scope scope(_timers, "flux audit");
-    return _fluxAudit.count(
-        state.beams, _surface.mesh(), _scene.water, state.sceneDepth, levels, state.farthest,
-        goesOwnWay(_scene.caustics.method) ? FluxAudit::Shade::Own : FluxAudit::Shade::Mean);
+    return _fluxAudit.count(state.beams, _surface.mesh(), _scene.water, sceneDepth, levels, state.farthest,
+                            goesOwnWay(_scene.caustics.method) ? FluxAudit::Shade::Own
+                                                               : FluxAudit::Shade::Mean);
 } catch (...) {
     freeMaps();
     throw;

@@ -168,7 +168,7 @@ class Engine {
     void drawSlices(ReceiverMaps& maps);
     void splatPhotons(ReceiverMaps& maps);
     void freeMaps();
-    void drawSceneDepth(int light);
+    void drawSceneDepth(SceneDepth& depth, const LightState& state, int mapSize);
     void drawLampShadows();
     const gl::Texture* drawGodrays(glm::ivec2 size);
     void drawGodrays(const GodrayInputs& inputs);

@@ -46,8 +46,8 @@ void Engine::fill(ReceiverMaps& maps) {
     case Method::ExactBeam:
         fillInOnePass(_exactBeams, maps, [&](const Beams& beams, const BeamCulling* culling, int points) {
             return ExactBeams::Inputs{maps.level, maps.receiver,   maps.tangents, sceneDepthOf(maps),
-                                      beams,      _surface.mesh(), _scene.water,  light,
-                                      culling,    colours,         points};
+                                      beams,      _surface.mesh(), _patch,        _scene.water,
+                                      light,      culling,         colours,       points};
         });
         break;
     case Method::Volumetric:

@@ -65,13 +65,9 @@ const gl::Texture* Engine::drawGodrays(glm::ivec2 size) {
     std::vector<GodraySource> sources;
     for (std::size_t i = 0; i < _lights.size(); ++i) {
         if (isDark(int(i))) continue;
-        LightState& state = _lights[i];
+        const LightState& state = _lights[i];
         const bool there = state.sceneDepth.first.id() != 0;
-        if (!there) {
-            drawSceneDepth(int(i));
-            own[i] = std::move(state.sceneDepth);
-            state.sceneDepth = {};
-        }
+        if (!there) drawSceneDepth(own[i], state, _scene.caustics.mapSize);
         sources.push_back({state.beams, there ? state.sceneDepth : own[i], _scene.lights[i], state.farthest});
     }
     if (sources.empty()) return nullptr;
