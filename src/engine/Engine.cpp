@@ -257,7 +257,11 @@ void Engine::updateLight(int index) {
         _surfaceShadowPass.draw(state.surfaceShadow, state.beams, _receivers);
     }
     state.sceneDepth = {};
-    if (needsSceneDepth(index)) drawSceneDepth(state.sceneDepth, state, _scene.caustics.mapSize);
+    if (!needsSceneDepth(index)) return;
+    drawSceneDepth(state.sceneDepth, state, _scene.caustics.mapSize);
+    if (!goesOwnWay(_scene.caustics.method)) return;
+    Scope scope(_timers, "scene depth map");
+    _sceneDepthPass.drawSecondSolids(state.sceneDepth, {state.beams, _receivers, state.farthest});
 }
 
 /// The other points of a disc look at what the middle does: they differ in where their rays come from alone.

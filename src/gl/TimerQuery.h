@@ -8,7 +8,8 @@
 namespace limpid::gl {
 
 /// GPU time by pass, in the order in which passes first ran. Two time stamps a scope: llvmpipe's elapsed-time
-/// query reports the time since boot for a scope that begins before anything was drawn.
+/// query reports the time since boot for a scope that begins before anything was drawn. Whoever never asks
+/// for the times pays for no more than a few thousand queries.
 class PassTimers {
   public:
     PassTimers() = default;
@@ -25,6 +26,7 @@ class PassTimers {
         Scope& operator=(const Scope&) = delete;
 
       private:
+        PassTimers& _timers;
         GLuint _end;
     };
 
@@ -35,9 +37,12 @@ class PassTimers {
     struct Stamps {
         std::string pass;
         GLuint begin = 0, end = 0;
+        bool open = true;
     };
     GLuint take();
+    void read(std::size_t count);
     std::vector<Stamps> _pending;
+    std::vector<std::pair<std::string, double>> _times; ///< ms of what was read since the last collect()
     std::vector<GLuint> _free;
 };
 

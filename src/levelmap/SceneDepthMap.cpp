@@ -88,18 +88,22 @@ void SceneDepthPass::drawFirst(SceneDepth& depth, glm::ivec2 size, const Inputs&
 
 void SceneDepthPass::drawSolids(SceneDepth& depth, const Inputs& inputs) {
     const glm::ivec2 size = depth.first.size();
-    gl::Ledger& ledger = _context.ledger();
-    if (depth.pyramid.size() != size || depth.pyramid.id() == 0 || depth.second.id() == 0) {
-        depth.pyramid = gl::Texture(ledger, "scene depth pyramid", GL_RGBA32F, size, gl::Mipmaps::Full);
-        depth.second = gl::Texture(ledger, "second solids", GL_RG32F, size);
-    }
+    if (depth.pyramid.size() != size || depth.pyramid.id() == 0)
+        depth.pyramid =
+            gl::Texture(_context.ledger(), "scene depth pyramid", GL_RGBA32F, size, gl::Mipmaps::Full);
     drawLeft(depth.first, depth.pyramid, inputs, Solid::First);
-    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+    _pyramid.reduce(depth.pyramid);
+}
+
+void SceneDepthPass::drawSecondSolids(SceneDepth& depth, const Inputs& inputs) {
+    const glm::ivec2 size = depth.first.size();
+    if (depth.second.size() != size || depth.second.id() == 0)
+        depth.second = gl::Texture(_context.ledger(), "second solids", GL_RG32F, size);
     depth.pyramid.bind(Pyramid);
-    const gl::Texture beyond(ledger, "scene depth map", GL_RG32F, size);
+    const gl::Texture beyond(_context.ledger(), "scene depth map", GL_RG32F, size);
     drawEntered(beyond, inputs, Solid::Second);
     drawLeft(beyond, depth.second, inputs, Solid::Second);
-    _pyramid.reduce(depth.pyramid);
+    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
 } // namespace limpid

@@ -47,6 +47,8 @@ class SceneDepthPass {
     void drawFirst(SceneDepth& depth, glm::ivec2 size, const Inputs& inputs);
     /// The pyramid, for what goes by a beam's own direction.
     void drawSolids(SceneDepth& depth, const Inputs& inputs);
+    /// `second`, after the pyramid.
+    void drawSecondSolids(SceneDepth& depth, const Inputs& inputs);
 
   private:
     enum class Solid { First, Second };
