@@ -1,23 +1,30 @@
 // limpid-soak [FRAMES]: memory after every hundredth frame as CSV; exit code 1 if it grew. See tools/soak.
 #include "stress/Soak.h"
 
+#include <algorithm>
 #include <cstdlib>
+#include <span>
 #include <vector>
 
 #include "core/Error.h"
 
 namespace {
 
-/// Largest of each kind over a part of the run.
-limpid::soak::Sample most(const std::vector<limpid::soak::Sample>& samples, std::size_t from,
-                          std::size_t to) {
-    limpid::soak::Sample largest;
-    for (std::size_t i = from; i < to; ++i) {
-        largest.gpuBytes = std::max(largest.gpuBytes, samples[i].gpuBytes);
-        largest.heapBytes = std::max(largest.heapBytes, samples[i].heapBytes);
-        largest.memoryBytes = std::max(largest.memoryBytes, samples[i].memoryBytes);
-    }
-    return largest;
+using limpid::soak::Sample;
+
+std::int64_t median(std::span<const Sample> samples, std::int64_t Sample::*kind) {
+    std::vector<std::int64_t> values;
+    for (const Sample& sample : samples)
+        values.push_back(sample.*kind);
+    std::nth_element(values.begin(), values.begin() + std::ptrdiff_t(values.size() / 2), values.end());
+    return values[values.size() / 2];
+}
+
+/// Of each kind over a part of the run. The driver frees what it holds when it sees fit, some 50 MiB at a
+/// time, so that the largest tells nothing.
+Sample medians(std::span<const Sample> samples) {
+    return {samples.back().frame, median(samples, &Sample::gpuBytes), median(samples, &Sample::heapBytes),
+            median(samples, &Sample::memoryBytes)};
 }
 
 } // namespace
@@ -41,8 +48,9 @@ int main(int argc, char** argv) {
     }
     // The first fifth warms up: the driver compiles what it meets, and passes are made as methods come.
     const std::size_t count = samples.size();
-    const soak::Sample early = most(samples, count / 5, count * 3 / 5),
-                       late = most(samples, count * 3 / 5, count);
+    const std::span<const Sample> all(samples);
+    const Sample early = medians(all.subspan(count / 5, count * 2 / 5)),
+                 late = medians(all.subspan(count * 3 / 5));
     std::fprintf(stderr, "GPU %lld -> %lld bytes, heap %.1f -> %.1f MiB, resident %.1f -> %.1f MiB\n",
                  static_cast<long long>(early.gpuBytes), static_cast<long long>(late.gpuBytes),
                  double(early.heapBytes) / (1 << 20), double(late.heapBytes) / (1 << 20),
