@@ -1,6 +1,5 @@
 // Which landings a level map has a texel for. Run once for each map, those along the light after the further ones, and last
-// with receiverNumber -1 for the rays that
-// no map has taken. A ray that is counted is marked -4.
+// with receiverNumber -1 for the rays that no map has taken. A ray that is counted is marked -4.
 // In: landings, beam origins, flux. Out, added a beam: missed, rejected, absorbed, scattered, in W, mean of R, G, B.
 #include "include/box.glsl"
 #include "include/octahedral.glsl"

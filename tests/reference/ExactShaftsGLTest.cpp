@@ -30,11 +30,7 @@ TEST_F(ExactShaftsGLTest, areSingleScatteringAsAllGrows) {
 }
 
 TEST_F(ExactShaftsGLTest, leaveTheShadeDark) {
-    const Scene scene = tank();
-    const reference::ScatterImage truth = truthOf(scene, 200000);
-    const Error error = errorOf(added(scene), truth, "past a ball");
-    EXPECT_NEAR(error.ratio, 1, 0.01);
-    EXPECT_LT(error.nmae, 0.035);
+    expectShadeIsDark(tank());
 }
 
 // The project's own bar, on its tank scene.
@@ -52,24 +48,11 @@ TEST_F(ExactShaftsGLTest, areWithinFivePercentOnTheTank) {
 }
 
 TEST_F(ExactShaftsGLTest, takeALampsLight) {
-    Scene scene = tank();
-    scene.lights[0].type = LightType::Point;
-    scene.lights[0].position = {0.4, 1.5, 0.3};
-    scene.lights[0].intensity = glm::dvec3(3, 2, 1);
-    const reference::ScatterImage truth = truthOf(scene, 200000);
-    const Error error = errorOf(added(scene), truth, "under a lamp");
-    EXPECT_NEAR(error.ratio, 1, 0.015);
-    EXPECT_LT(error.nmae, 0.035);
+    expectLampsLight(tank());
 }
 
 TEST_F(ExactShaftsGLTest, comeOutTheSameBitForBit) {
-    Scene scene = tank();
-    Engine engine(context());
-    engine.setScene(scene);
-    const std::vector<float> first = engine.render(0, pictureSize).rgb;
-    EXPECT_EQ(engine.render(0, pictureSize).rgb, first);
-    for (const float value : first)
-        ASSERT_TRUE(std::isfinite(value));
+    expectTheSameBits(tank());
 }
 
 TEST_F(ExactShaftsGLTest, costNothingWhereNothingIsScattered) {

@@ -78,6 +78,31 @@ class GodraysGLTest : public EngineGLTest {
         return {error / whole, sum / whole};
     }
 
+    static void expectShadeIsDark(const Scene& scene) {
+        const Error error = errorOf(added(scene), truthOf(scene, 200000), "past a ball");
+        EXPECT_NEAR(error.ratio, 1, 0.01);
+        EXPECT_LT(error.nmae, 0.035);
+    }
+
+    /// `scene` under a lamp in place of its sun.
+    static void expectLampsLight(Scene scene) {
+        scene.lights[0].type = LightType::Point;
+        scene.lights[0].position = {0.4, 1.5, 0.3};
+        scene.lights[0].intensity = glm::dvec3(3, 2, 1);
+        const Error error = errorOf(added(scene), truthOf(scene, 200000), "under a lamp");
+        EXPECT_NEAR(error.ratio, 1, 0.015);
+        EXPECT_LT(error.nmae, 0.035);
+    }
+
+    static void expectTheSameBits(const Scene& scene) {
+        Engine engine(context());
+        engine.setScene(scene);
+        const std::vector<float> first = engine.render(0, pictureSize).rgb;
+        EXPECT_EQ(engine.render(0, pictureSize).rgb, first);
+        for (const float value : first)
+            ASSERT_TRUE(std::isfinite(value));
+    }
+
     /// Without scattering nothing is made, and not a bit of the picture is another.
     static void expectNothingWithoutScattering(GodrayMethod method) {
         Scene scene = tank(method);
