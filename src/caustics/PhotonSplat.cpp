@@ -27,30 +27,59 @@ enum FilterUniform { FilterChannels, Taps, Radius };
 enum ResolveUniform { WattsPerStep, Channels, Filtered };
 constexpr int groupSize = 64;
 constexpr glm::ivec2 mapGroupSize{8, 8};
+constexpr double mostSplat = 256; ///< texels
 
-/// a, b, least and greatest size of the splats of a receiver, texels.
-glm::vec4 splatOf(const PhotonSplat::Inputs& inputs) {
-    double nearest = 1e300, farthest = 0;
-    for (int i = 0; i < 8; ++i) {
-        const glm::dvec3 corner = inputs.wet.corner(i);
-        const double metres = glm::distance(corner, entryPoint(inputs.light, inputs.scene.water, corner));
-        nearest = std::min(nearest, metres);
-        farthest = std::max(farthest, metres);
-    }
-    const glm::dvec2 sizes = inputs.scene.caustics.splatSize;
-    return {glm::vec2(splatSizes(sizes, nearest, farthest)), glm::vec2(sizes)};
+/// The part of the photon grid whose photons may come to the receiver; a quad of the patch is a cell.
+WaterPatch photonGrid(const PhotonSplat::Inputs& inputs) {
+    const CausticsSettings& settings = inputs.scene.caustics;
+    const glm::ivec2 cells = settings.photonGrid;
+    WaterPatch part = lightingPatch(inputs.scene.water, inputs.light, inputs.wet, inputs.patch);
+    part.grid = cells;
+    if (settings.photonGridOver == PhotonGridOver::Receiver) return part;
+    const glm::dvec2 cell = inputs.patch.size / glm::dvec2(cells);
+    const glm::dvec2 low = (part.min() - inputs.patch.min()) / cell, high = low + part.size / cell;
+    const glm::ivec2 first = glm::clamp(glm::ivec2(glm::floor(low)), glm::ivec2(0), cells - 1);
+    const glm::ivec2 end = glm::clamp(glm::ivec2(glm::ceil(high)), first + 1, cells);
+    return {inputs.patch.min() + 0.5 * glm::dvec2(first + end) * cell, glm::dvec2(end - first) * cell,
+            end - first};
 }
 
-WaterPatch photonPatch(const PhotonSplat::Inputs& inputs) {
-    return lightingPatch(inputs.scene.water, inputs.light, inputs.wet, inputs.patch);
+/// Light on its way from the level to the receiver's corner that has least or most of it.
+struct WaterWay {
+    double nearest = 1e300, farthest = 0; ///< m
+    double spread = 1; ///< how much further apart a lamp's rays are there than at the level, at most
+};
+
+WaterWay waterWay(const PhotonSplat::Inputs& inputs) {
+    WaterWay way;
+    for (int i = 0; i < 8; ++i) {
+        const glm::dvec3 corner = inputs.wet.corner(i);
+        const glm::dvec3 entry = entryPoint(inputs.light, inputs.scene.water, corner);
+        const double metres = glm::distance(corner, entry);
+        way.nearest = std::min(way.nearest, metres);
+        way.farthest = std::max(way.farthest, metres);
+        if (inputs.light.type == LightType::Point)
+            way.spread = std::max(way.spread, 1 + metres / glm::distance(entry, inputs.light.position));
+    }
+    return way;
+}
+
+/// Of splats, texels. One grid over all water is coarse beside a small receiver's map: its splats are twice
+/// as wide as photons are apart, so that light which spreads to half leaves no gaps.
+glm::dvec2 sizesOf(const PhotonSplat::Inputs& inputs, const WaterPatch& photons, const WaterWay& way) {
+    const CausticsSettings& settings = inputs.scene.caustics;
+    if (settings.photonGridOver == PhotonGridOver::Receiver) return settings.splatSize;
+    const glm::dvec2 apart = photons.size / glm::dvec2(photons.grid * settings.photonSubdivision);
+    const double gapless = 2 * way.spread * std::max(apart.x, apart.y) / inputs.map.frame.texel;
+    return glm::max(settings.splatSize, glm::dvec2(std::min(gapless, mostSplat)));
 }
 
 /// A photon is shared among the texels of its splat.
-double fluxPerStepOf(const PhotonSplat::Inputs& inputs) {
+double fluxPerStepOf(const PhotonSplat::Inputs& inputs, const WaterPatch& photons, const glm::dvec2& sizes) {
     const CausticsSettings& settings = inputs.scene.caustics;
-    const double side = settings.photonSubdivision * settings.splatSize.y;
-    const double parts = double(settings.photonGrid.x) * settings.photonGrid.y * side * side;
-    return fluxPerStep(inputs.map, inputs.light, photonPatch(inputs), parts);
+    const double side = settings.photonSubdivision * sizes.y;
+    const double parts = double(photons.grid.x) * photons.grid.y * side * side;
+    return fluxPerStep(inputs.map, inputs.light, photons, parts);
 }
 
 } // namespace
@@ -77,7 +106,8 @@ void PhotonSplat::reserveSums(std::int64_t count, bool filtered) {
     }
 }
 
-void PhotonSplat::cast(const Inputs& inputs, int channels, double stepsPerFlux) {
+void PhotonSplat::cast(const Inputs& inputs, const WaterPatch& photons, const glm::vec4& splat, int channels,
+                       double stepsPerFlux) {
     const CausticsSettings& settings = inputs.scene.caustics;
     const Water& water = inputs.scene.water;
     inputs.beams.frame.bindUniform(0);
@@ -89,17 +119,17 @@ void PhotonSplat::cast(const Inputs& inputs, int channels, double stepsPerFlux) 
     inputs.beams.flux.bindStorage(5);
     _cast.set(PatchRect, rectOf(inputs.patch, inputs.origin));
     _cast.set(Quads, inputs.surface.quads);
-    _cast.set(PhotonRect, rectOf(photonPatch(inputs), inputs.origin));
-    _cast.set(Cells, settings.photonGrid);
+    _cast.set(PhotonRect, rectOf(photons, inputs.origin));
+    _cast.set(Cells, photons.grid);
     _cast.set(Subdivision, settings.photonSubdivision);
     _cast.set(StepsPerFlux, float(stepsPerFlux));
     _cast.set(ExtinctionPerMetre, glm::vec3(water.absorption + water.scattering));
     _cast.set(CastChannels, channels);
-    _cast.set(Splat, splatOf(inputs));
+    _cast.set(Splat, splat);
     _cast.set(TestSurfaceShadow, inputs.beams.surfaceShadow ? 1 : 0);
     _cast.set(TestOcclusion, inputs.sceneDepth ? 1 : 0);
     _cast.set(ReceiverNumber, inputs.receiver);
-    _cast.dispatch(std::int64_t(settings.photonGrid.x) * settings.photonGrid.y, groupSize);
+    _cast.dispatch(std::int64_t(photons.grid.x) * photons.grid.y, groupSize);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
@@ -119,13 +149,17 @@ void PhotonSplat::fill(CausticMap& caustics, const Inputs& inputs) {
     const int channels = channelsOf(Colours::AsNeeded, inputs.scene.water);
     const bool filtered = inputs.scene.caustics.filterTaps > 0;
     reserveSums((std::int64_t(size.x) * size.y + 2) * channels, filtered);
-    const double perStep = fluxPerStepOf(inputs);
+    const WaterPatch photons = photonGrid(inputs);
+    const WaterWay way = waterWay(inputs);
+    const glm::dvec2 sizes = sizesOf(inputs, photons, way);
+    const glm::vec4 splat(glm::vec2(splatSizes(sizes, way.nearest, way.farthest)), glm::vec2(sizes));
+    const double perStep = fluxPerStepOf(inputs, photons, sizes);
     inputs.map.box.bindUniform(1);
     inputs.planes.planes.bind(0);
     inputs.map.normal.bind(2);
     (filtered ? _splats : _sums).bindStorage(8);
     if (inputs.beams.strength != glm::dvec3(0)) {
-        cast(inputs, channels, 1 / perStep);
+        cast(inputs, photons, splat, channels, 1 / perStep);
         if (filtered) filter(inputs, channels);
     }
     inputs.map.normal.bind(0);

@@ -43,7 +43,9 @@ class PhotonSplat {
 
   private:
     void reserveSums(std::int64_t count, bool filtered);
-    void cast(const Inputs& inputs, int channels, double stepsPerFlux);
+    /// `splat`: a, b, least and greatest size, texels.
+    void cast(const Inputs& inputs, const WaterPatch& photons, const glm::vec4& splat, int channels,
+              double stepsPerFlux);
     void filter(const Inputs& inputs, int channels);
     gl::Context& _context;
     gl::Program _cast, _filter, _resolve;

@@ -283,6 +283,8 @@ void parsePhotons(TomlTable& table, CausticsSettings& caustics) {
     std::array<std::int64_t, 2> grid = {caustics.photonGrid.x, caustics.photonGrid.y};
     table.wholeNumbers("photon_grid", grid, 1, 8192);
     caustics.photonGrid = {static_cast<int>(grid[0]), static_cast<int>(grid[1])};
+    constexpr std::string_view overs[] = {"receiver", "water"};
+    caustics.photonGridOver = static_cast<PhotonGridOver>(table.choice("photon_grid_over", overs));
     parseWhole(table, "photon_subdivision", caustics.photonSubdivision, 1, 16);
     table.vector("splat_size", caustics.splatSize, {.min = 1, .max = 256, .text = " from 1 to 256"});
     if (caustics.splatSize.x > caustics.splatSize.y) table.fail("splat_size", "the smaller size first");

@@ -117,6 +117,9 @@ enum class Slicing { Automatic, Levels };
 /// How the level map methods come to their light: planes drawn one after another, or beams walked in one
 /// pass.
 enum class Fill { Drawn, OnePass };
+/// What a photon grid lies over: the water that lights a receiver, for each anew, or all water that beams
+/// start from, as in the paper.
+enum class PhotonGridOver { Receiver, Water };
 
 struct CausticsSettings {
     Method method = Method::ExactBeam;
@@ -130,11 +133,12 @@ struct CausticsSettings {
     double texelsPerPixel = 0; ///< maps of receivers that are small on screen have about so many, [0, 64]
     double refresh = 0;        ///< caustics a second of the scene's time, at most, [0, 1000]
     // What follows is of photon splats, with the paper's settings.
-    glm::ivec2 photonGrid{200, 200}; ///< cells over the water that lights a receiver, [1, 8192]
-    int photonSubdivision = 2;       ///< photons along a side of a cell, [1, 16]
-    glm::dvec2 splatSize{5, 20};     ///< texels: at the most and at the least metres of water; >= 1, rising
-    int filterTaps = 8;              ///< [0, 32]; 0: no filter
-    double filterRadius = 2;         ///< texels, [0, 64]
+    glm::ivec2 photonGrid{200, 200}; ///< cells, [1, 8192]
+    PhotonGridOver photonGridOver = PhotonGridOver::Receiver;
+    int photonSubdivision = 2;   ///< photons along a side of a cell, [1, 16]
+    glm::dvec2 splatSize{5, 20}; ///< texels: at the most and at the least metres of water; >= 1, rising
+    int filterTaps = 8;          ///< [0, 32]; 0: no filter
+    double filterRadius = 2;     ///< texels, [0, 64]
 
     bool operator==(const CausticsSettings&) const = default;
 };

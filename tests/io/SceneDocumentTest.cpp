@@ -235,6 +235,7 @@ TEST(SceneDocument, splatsAndGodraysAreWritten) {
     changed.caustics.texelsPerPixel = 1.5;
     changed.caustics.refresh = 30;
     changed.caustics.photonGrid = {30, 40};
+    changed.caustics.photonGridOver = PhotonGridOver::Water;
     changed.caustics.photonSubdivision = 3;
     changed.caustics.splatSize = {4, 9.5};
     changed.caustics.filterTaps = 0;

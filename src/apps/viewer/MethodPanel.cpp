@@ -14,7 +14,11 @@ void filterFields(int& taps, double& radius, const char* unit) {
 }
 
 void photonFields(CausticsSettings& caustics) {
-    wholeNumbers("photons", caustics.photonGrid, 1, 4096, "cells over the water that lights a receiver");
+    wholeNumbers("photons", caustics.photonGrid, 1, 4096, "cells of a grid over the water");
+    int over = int(caustics.photonGridOver);
+    if (ImGui::Combo("grid over", &over, "receiver\0water\0"))
+        caustics.photonGridOver = static_cast<PhotonGridOver>(over);
+    hint("the water that lights a receiver, for each anew, or all water once (paper)");
     wholeNumber("subdivision", caustics.photonSubdivision, 1, 16, "photons along a side of a cell");
     glm::dvec2 size = caustics.splatSize;
     if (vector("splats", size, {.speed = 0.1, .min = 1, .max = 256},
