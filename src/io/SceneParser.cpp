@@ -217,18 +217,26 @@ glm::vec3 parseAlbedo(TomlTable& table) {
     return glm::vec3(albedo);
 }
 
-/// A shape's table: its size, which has no default, under `key`.
+/// A shape's table: its size, which has no default.
 template <int N>
-glm::vec<N, double> parseShape(TomlTable& receiver, std::string_view shape, std::string_view key) {
+glm::vec<N, double> parseSize(TomlTable& receiver, std::string_view shape) {
     TomlTable table = *receiver.table(shape);
     glm::vec<N, double> size(1.0);
-    if (!table.has(key)) table.fail(key, N == 1 ? "a number > 0" : fmt::format("{} numbers > 0", N));
-    if constexpr (N == 1)
-        table.number(key, size.x, positive);
-    else
-        table.vector(key, size, positive);
+    if (!table.has("size")) table.fail("size", fmt::format("{} numbers > 0", N));
+    table.vector("size", size, positive);
     table.finish();
     return size;
+}
+
+Mesh parseSphere(TomlTable& receiver, const glm::vec3& albedo) {
+    TomlTable table = *receiver.table("sphere");
+    double radius = 1;
+    int segments = 32;
+    if (!table.has("radius")) table.fail("radius", "a number > 0");
+    table.number("radius", radius, positive);
+    parseWhole(table, "segments", segments, 4, 1024);
+    table.finish();
+    return makeSphere(radius, albedo, segments);
 }
 
 std::shared_ptr<const Mesh> loadModel(TomlTable& table, const fs::path& folder, MeshCache& meshes) {
@@ -256,10 +264,9 @@ std::shared_ptr<const Mesh> parseMesh(TomlTable& table, const fs::path& folder, 
     if (table.has("gltf")) return loadModel(table, folder, meshes);
     const glm::vec3 albedo = parseAlbedo(table);
     if (table.has("plane"))
-        return std::make_shared<const Mesh>(makePlane(parseShape<2>(table, "plane", "size"), albedo));
-    if (table.has("box"))
-        return std::make_shared<const Mesh>(makeBox(parseShape<3>(table, "box", "size"), albedo));
-    return std::make_shared<const Mesh>(makeSphere(parseShape<1>(table, "sphere", "radius").x, albedo));
+        return std::make_shared<const Mesh>(makePlane(parseSize<2>(table, "plane"), albedo));
+    if (table.has("box")) return std::make_shared<const Mesh>(makeBox(parseSize<3>(table, "box"), albedo));
+    return std::make_shared<const Mesh>(parseSphere(table, albedo));
 }
 
 Receiver parseReceiver(TomlTable table, std::size_t number, Names& taken, const fs::path& folder,

@@ -7,9 +7,6 @@ namespace limpid {
 
 namespace {
 
-constexpr std::uint32_t slices = 32; ///< around the sphere's axis
-constexpr std::uint32_t stacks = 32; ///< from pole to pole
-
 void addVertex(Mesh& mesh, const glm::dvec3& position, const glm::vec3& normal, const glm::vec2& uv) {
     mesh.positions.push_back(position);
     mesh.normals.push_back(normal);
@@ -34,18 +31,18 @@ Mesh finished(Mesh mesh, const glm::vec3& albedo) {
     return mesh;
 }
 
-void addSphereVertices(Mesh& mesh, double radius) {
+void addSphereVertices(Mesh& mesh, double radius, std::uint32_t segments) {
     using std::numbers::pi;
-    for (std::uint32_t stack = 0; stack <= stacks; ++stack) {
-        const double polar = pi * stack / stacks;
+    for (std::uint32_t stack = 0; stack <= segments; ++stack) {
+        const double polar = pi * stack / segments;
         // sin(π) is not 0 in floating point, and a pole has to be one point.
-        const double ring = stack % stacks == 0 ? 0.0 : std::sin(polar);
-        for (std::uint32_t slice = 0; slice <= slices; ++slice) {
+        const double ring = stack % segments == 0 ? 0.0 : std::sin(polar);
+        for (std::uint32_t slice = 0; slice <= segments; ++slice) {
             // The seam closes exactly only if both of its ends use the same angle.
-            const double azimuth = 2 * pi * (slice % slices) / slices;
+            const double azimuth = 2 * pi * (slice % segments) / segments;
             const glm::dvec3 normal(ring * std::cos(azimuth), std::cos(polar), -ring * std::sin(azimuth));
             addVertex(mesh, radius * normal, glm::vec3(normal),
-                      {static_cast<float>(slice) / slices, static_cast<float>(stack) / stacks});
+                      {static_cast<float>(slice) / segments, static_cast<float>(stack) / segments});
         }
     }
 }
@@ -58,15 +55,16 @@ Mesh makePlane(glm::dvec2 size, glm::vec3 albedo) {
     return finished(std::move(mesh), albedo);
 }
 
-Mesh makeSphere(double radius, glm::vec3 albedo) {
+Mesh makeSphere(double radius, glm::vec3 albedo, int segmentCount) {
     Mesh mesh;
-    addSphereVertices(mesh, radius);
-    for (std::uint32_t stack = 0; stack < stacks; ++stack)
-        for (std::uint32_t slice = 0; slice < slices; ++slice) {
-            const std::uint32_t top = stack * (slices + 1) + slice;
-            const std::uint32_t bottom = top + slices + 1;
+    const auto segments = static_cast<std::uint32_t>(segmentCount);
+    addSphereVertices(mesh, radius, segments);
+    for (std::uint32_t stack = 0; stack < segments; ++stack)
+        for (std::uint32_t slice = 0; slice < segments; ++slice) {
+            const std::uint32_t top = stack * (segments + 1) + slice;
+            const std::uint32_t bottom = top + segments + 1;
             if (stack > 0) mesh.indices.insert(mesh.indices.end(), {top, bottom, top + 1});
-            if (stack + 1 < stacks) mesh.indices.insert(mesh.indices.end(), {top + 1, bottom, bottom + 1});
+            if (stack + 1 < segments) mesh.indices.insert(mesh.indices.end(), {top + 1, bottom, bottom + 1});
         }
     return finished(std::move(mesh), albedo);
 }

@@ -8,9 +8,9 @@ namespace limpid {
 /// Rectangle in xz, facing up. `size` > 0 along x and z.
 Mesh makePlane(glm::dvec2 size, glm::vec3 albedo);
 
-/// 32 slices of 32 stacks, one triangle less in each slice at either pole: 32 · 2 · (32 − 1) = 1,984
-/// triangles, as the thesis's sphere has. `radius` > 0.
-Mesh makeSphere(double radius, glm::vec3 albedo);
+/// `segments` slices of as many stacks, >= 4, one triangle less in each slice at either pole: with 32 that
+/// is 32 · 2 · (32 − 1) = 1,984 triangles, as the thesis's sphere has. `radius` > 0.
+Mesh makeSphere(double radius, glm::vec3 albedo, int segments = 32);
 
 /// 12 triangles. `size` > 0 along x, y and z.
 Mesh makeBox(glm::dvec3 size, glm::vec3 albedo);

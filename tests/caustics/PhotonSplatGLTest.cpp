@@ -119,8 +119,7 @@ TEST_F(PhotonSplatGLTest, oneGridOverAllWaterLightsEachReceiver) {
            100 * (baked.maps[1].deposited / exact.maps[1].deposited - 1),
            100 * (baked.maps[0].deposited / exact.maps[0].deposited - 1),
            100 * baked.flux.at(0).residual() / baked.flux.at(0).entering);
-    // Exact beams leave out the half of a texel around the sphere, 1 %; half a photon all around is in or
-    // out.
+    // Half a photon all around is in or out.
     EXPECT_NEAR(baked.maps[1].deposited, exact.maps[1].deposited, 2 / across * exact.maps[1].deposited);
     EXPECT_NEAR(baked.maps[0].deposited, exact.maps[0].deposited, 0.01 * exact.maps[0].deposited);
     // One photon lands on the sphere or beside it: what either gets the other does not.

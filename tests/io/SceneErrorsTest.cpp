@@ -129,6 +129,8 @@ const TextCase receivers[] = {
     {"[[receiver]]", "3:1: receiver.1: expected exactly one of plane, sphere, box and gltf, found none"},
     {"[[receiver]]\nsphere = { radius = 0 }",
      "4:21: receiver.1.sphere.radius: expected a number > 0 and <= 1e12, found 0"},
+    {"[[receiver]]\nsphere = { radius = 1, segments = 2 }",
+     "4:35: receiver.1.sphere.segments: expected a whole number from 4 to 1024, found 2"},
     {"[[receiver]]\nsphere = {}", "4:10: receiver.1.sphere.radius: expected a number > 0, found nothing"},
     {"[[receiver]]\nsphere = 1", "4:10: receiver.1.sphere: expected a table, found 1"},
     {"[[receiver]]\nbox = { size = [1, 1] }",

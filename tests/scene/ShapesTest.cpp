@@ -29,6 +29,8 @@ constexpr glm::vec3 albedo(0.1f, 0.5f, 0.9f);
 const ShapeCase shapes[] = {
     {"plane", makePlane({2, 3}, albedo), 2, 4, {2, 0, 3}},
     {"sphere", makeSphere(0.5, albedo), 1984, 33 * 33, {1, 1, 1}},
+    {"fine sphere", makeSphere(0.5, albedo, 64), 2 * 64 * 63, 65 * 65, {1, 1, 1}},
+    {"coarse sphere", makeSphere(0.5, albedo, 8), 2 * 8 * 7, 81, {1, 1, 1}},
     {"box", makeBox({1, 2, 3}, albedo), 12, 24, {1, 2, 3}},
     {"tiny box", makeBox({1e-9, 1e-9, 1e-9}, albedo), 12, 24, {1e-9, 1e-9, 1e-9}},
     {"huge sphere", makeSphere(1e9, albedo), 1984, 33 * 33, {2e9, 2e9, 2e9}},
@@ -89,6 +91,10 @@ TEST(SolidsTest, EncloseTheirVolume) {
     // 32 slices and stacks stay about 1 % inside of the sphere that they are inscribed in.
     const double sphere = 4.0 / 3 * std::numbers::pi;
     EXPECT_NEAR(volume(makeSphere(1, albedo)) / sphere, 0.99, 0.005);
+    // The share that is missing goes by the square of the segments.
+    EXPECT_NEAR((1 - volume(makeSphere(1, albedo, 128)) / sphere) /
+                    (1 - volume(makeSphere(1, albedo)) / sphere),
+                1.0 / 16, 1e-3);
 }
 
 TEST(PlaneTest, FacesUpWithTextureRowsFromTheBack) {
