@@ -83,14 +83,16 @@ class Lattice {
         const auto inner = outer - t.begin();
         if (inner == 0 || inner == 4) return;
         const glm::dvec3 out = place(t[3]) - place(t[0]);
-        if (inner == 1)
-            triangle(edge(t[0], t[1]), edge(t[0], t[2]), edge(t[0], t[3]), out);
-        else if (inner == 3)
-            triangle(edge(t[3], t[0]), edge(t[3], t[1]), edge(t[3], t[2]), out);
-        else {
+        if (inner == 2) {
             const auto a = edge(t[0], t[2]), b = edge(t[0], t[3]), c = edge(t[1], t[3]), d = edge(t[1], t[2]);
             triangle(a, b, c, out);
             triangle(a, c, d, out);
+        } else {
+            // One after the other, in the order of the committed models: a new edge is a new vertex.
+            const Corner alone = inner == 1 ? t[0] : t[3];
+            const auto others = inner == 1 ? t.begin() + 1 : t.begin();
+            const auto c = edge(alone, others[2]), b = edge(alone, others[1]), a = edge(alone, others[0]);
+            triangle(a, b, c, out);
         }
     }
 
