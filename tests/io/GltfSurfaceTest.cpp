@@ -47,7 +47,7 @@ SmallGltf texturedGltf(const json& material) {
     attributes(gltf)["TEXCOORD_1"] = gltf.add<float>("VEC2", {5, 5, 6, 6, 7, 7});
     gltf.json["images"] = {{{"uri", png}}};
     gltf.json["textures"] = {{{"source", 0}}};
-    gltf.json["materials"] = {material};
+    gltf.json["materials"] = json::array({material});
     return gltf;
 }
 

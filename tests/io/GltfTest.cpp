@@ -223,7 +223,7 @@ TEST(GltfTest, ATriangleGivenTwiceIsOneWhicheverWayItIsWound) {
     const int indices = gltf.add<std::uint16_t>("SCALAR", {0, 2, 1, 2, 4, 0, 0, 1, 2, 0, 1, 3});
     gltf.addMesh({{"attributes", {{"POSITION", corners}}}, {"indices", indices}});
     gltf.addMesh({{"attributes", {{"POSITION", corners}}}, {"indices", indices}, {"material", 0}});
-    gltf.json["materials"] = {json::object()};
+    gltf.json["materials"] = json::array({json::object()});
     const Mesh mesh = load(gltf);
     ASSERT_EQ(mesh.parts.size(), 2u) << "another material is another triangle";
     // Without normals every corner is a vertex: the first and the fourth triangle are left.
@@ -282,7 +282,7 @@ SmallGltf textured(const json& image) {
     primitive["material"] = 0;
     primitive["attributes"]["TEXCOORD_0"] = gltf.add<float>("VEC2", {0, 0, 1, 0, 0, 1});
     primitive["attributes"]["TEXCOORD_1"] = gltf.add<float>("VEC2", {5, 5, 6, 6, 7, 7});
-    gltf.json["images"] = {image};
+    gltf.json["images"] = json::array({image});
     gltf.json["textures"] = {{{"source", 0}}};
     gltf.json["materials"] = {{{"pbrMetallicRoughness",
                                 {{"baseColorTexture", {{"index", 0}}}, {"baseColorFactor", {0, 1, 0, 1}}}}}};

@@ -79,7 +79,8 @@ TEST(ProfileFileTest, namesPlaceExpectedAndFound) {
     const std::pair<std::string, std::string> cases[] = {
         {"frames = 3", "daily.toml:1:1: scene: expected the path of a scene or model, found nothing"},
         {scene + "methods = [\"magic\"]", "daily.toml:2:11: methods: expected methods of level-map, "},
-        {scene + "fills = [\"best\"]", "daily.toml:2:9: fills: expected fills of drawn, one-pass, found \"best\""},
+        {scene + "fills = [\"best\"]",
+         "daily.toml:2:9: fills: expected fills of drawn, one-pass, found \"best\""},
         {scene + "planes = [3, 0]",
          "daily.toml:2:10: planes: expected whole numbers from 1 to 4096, or ranges"},
         {scene + "planes = \"9..3\"", "found \"9..3\""},
@@ -99,7 +100,7 @@ TEST(ProfileFileTest, namesPlaceExpectedAndFound) {
     };
     for (const auto& [text, expected] : cases) {
         const TempFolder folder;
-        EXPECT_THAT(errorOf(folder, [&] { load(folder, text); }), HasSubstr(expected)) << text;
+        EXPECT_THAT(errorOf(folder, [&, &text = text] { load(folder, text); }), HasSubstr(expected)) << text;
     }
 }
 
