@@ -61,8 +61,11 @@ VideoWriter::VideoWriter(const std::filesystem::path& file, glm::ivec2 size, dou
         throw InputError(fmt::format("{}: expected ffmpeg to write a video with, found none on the path; "
                                      "a name with %04d and .png gives pictures",
                                      file.string()));
-    _partial = file.parent_path() /
-               fmt::format("{}.partial-{}{}", file.stem().string(), getpid(), file.extension().string());
+    try {
+        _staging.emplace(file.parent_path());
+    } catch (const std::system_error& error) {
+        throw InputError(fmt::format("{}: cannot write: {}", file.string(), error.what()));
+    }
     const std::string resolution = fmt::format("{}x{}", size.x, size.y), rate = fmt::format("{}", fps);
     int ends[2];
     if (pipe2(ends, O_CLOEXEC) != 0) throw InputError(fmt::format("{}: cannot start ffmpeg", file.string()));
@@ -75,7 +78,7 @@ VideoWriter::VideoWriter(const std::filesystem::path& file, glm::ivec2 size, dou
         // yuv420p, which players expect, needs even sizes.
         execlp("ffmpeg", "ffmpeg", "-y", "-loglevel", "error", "-f", "rawvideo", "-pix_fmt", "rgb24", "-s",
                resolution.c_str(), "-r", rate.c_str(), "-i", "-", "-vf", "crop=trunc(iw/2)*2:trunc(ih/2)*2",
-               "-pix_fmt", "yuv420p", _partial.c_str(), static_cast<char*>(nullptr));
+               "-pix_fmt", "yuv420p", partial().c_str(), static_cast<char*>(nullptr));
         _exit(127);
     }
     close(ends[0]);
@@ -87,8 +90,10 @@ VideoWriter::~VideoWriter() {
     if (_pipe < 0) return;
     close(_pipe);
     waitpid(_process, nullptr, 0);
-    std::error_code ignored;
-    std::filesystem::remove(_partial, ignored);
+}
+
+std::filesystem::path VideoWriter::partial() const {
+    return _staging->path() / _file.filename();
 }
 
 void VideoWriter::add(const std::uint8_t* rgb) {
@@ -109,10 +114,9 @@ void VideoWriter::finish() {
     std::error_code error;
     // On a full disk ffmpeg says so, and ends with status 0.
     const bool good = status == 0 && complaint().empty();
-    if (good) std::filesystem::rename(_partial, _file, error);
+    if (good) io::Staging::whole([&] { std::filesystem::rename(partial(), _file, error); });
     if (good && !error) return;
     const std::string why = error ? error.message() : complaint();
-    std::filesystem::remove(_partial, error);
     throw InputError(fmt::format("{}: cannot write: ffmpeg ended with status {}: {}", _file.string(),
                                  WIFEXITED(status) ? WEXITSTATUS(status) : -1, why));
 }

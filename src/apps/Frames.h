@@ -1,8 +1,11 @@
 #pragma once
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include <glm/glm.hpp>
+
+#include "io/Staging.h"
 
 namespace limpid::apps {
 
@@ -38,8 +41,10 @@ class VideoWriter {
     void finish();
 
   private:
+    std::filesystem::path partial() const; ///< what ffmpeg writes
     std::string complaint() const;
-    std::filesystem::path _file, _partial;
+    std::filesystem::path _file;
+    std::optional<io::Staging> _staging;
     std::size_t _frameBytes;
     int _pipe = -1;
     int _complaints = -1; ///< a file in memory, which ffmpeg writes its errors to

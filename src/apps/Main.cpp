@@ -12,6 +12,7 @@
 #include "apps/Common.h"
 #include "core/Error.h"
 #include "io/Files.h"
+#include "io/Staging.h"
 #include "io/TomlReader.h"
 
 namespace {
@@ -98,6 +99,7 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
     std::signal(SIGXFSZ, SIG_IGN); // past a limit of file sizes: the write that fails tells
     try {
+        limpid::io::removeStagingsOnSignals();
         return run(argc, argv);
     } catch (const limpid::apps::Exit& exit) {
         return exit.code;

@@ -6,8 +6,6 @@
 #include <stdexcept>
 #include <system_error>
 
-#include <unistd.h>
-
 #include <fmt/format.h>
 
 #include "core/Error.h"
@@ -61,16 +59,13 @@ std::vector<std::uint8_t> readBytes(const fs::path& file) {
 }
 
 void writeWhole(const fs::path& file, const std::function<void(const fs::path&)>& write) {
-    fs::path partial = file;
-    partial.replace_filename(
-        fmt::format("{}.partial-{}{}", file.stem().string(), ::getpid(), file.extension().string()));
     try {
         if (fs::is_directory(file)) throw std::runtime_error("it is a folder");
+        const Staging staging(file.parent_path());
+        const fs::path partial = staging.path() / file.filename();
         write(partial);
-        fs::rename(partial, file);
+        Staging::whole([&] { fs::rename(partial, file); });
     } catch (const std::exception& error) {
-        std::error_code ignored;
-        fs::remove(partial, ignored);
         throw InputError(fmt::format("{}: cannot write: {}", oneLine(file.string()), oneLine(error.what())));
     }
 }
@@ -83,31 +78,29 @@ namespace {
 
 } // namespace
 
-StagedFolder::StagedFolder(fs::path folder)
-    : _folder(std::move(folder)), _staged(_folder / fmt::format(".partial-{}", ::getpid())) {
-    std::error_code error;
-    fs::create_directory(_staged, error);
-    if (error) failWriting(_folder, error.message());
-}
-
-StagedFolder::~StagedFolder() {
-    std::error_code ignored;
-    fs::remove_all(_staged, ignored);
+StagedFolder::StagedFolder(fs::path folder) : _folder(std::move(folder)) {
+    try {
+        _staging.emplace(_folder);
+    } catch (const std::system_error& error) {
+        failWriting(_folder, error.what());
+    }
 }
 
 void StagedFolder::appear(const std::string& index) {
     std::vector<fs::path> names;
-    for (const auto& entry : fs::directory_iterator(_staged))
+    for (const auto& entry : fs::directory_iterator(path()))
         if (entry.path().filename() != index) names.push_back(entry.path().filename());
     names.emplace_back(index);
     for (const fs::path& name : names)
         if (fs::is_directory(_folder / name)) failWriting(_folder / name, "it is a folder");
-    std::error_code error;
-    fs::remove(_folder / index, error);
-    for (const fs::path& name : names) {
-        if (!error) fs::rename(_staged / name, _folder / name, error);
-        if (error) failWriting(_folder / name, error.message());
-    }
+    Staging::whole([&] {
+        std::error_code error;
+        fs::remove(_folder / index, error);
+        for (const fs::path& name : names) {
+            if (!error) fs::rename(path() / name, _folder / name, error);
+            if (error) failWriting(_folder / name, error.message());
+        }
+    });
 }
 
 void writeText(const fs::path& file, const std::string& text) {

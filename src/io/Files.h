@@ -2,9 +2,12 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "io/Staging.h"
 
 /// Whole files in and out, with errors that fit on one line.
 namespace limpid::io {
@@ -19,9 +22,9 @@ void requireFile(const std::filesystem::path& file);
 /// The bytes of a file. Throws InputError if there is no such file, or if it is empty or a folder.
 std::vector<std::uint8_t> readBytes(const std::filesystem::path& file);
 
-/// Lets `write` fill a file beside `file` and renames it to `file`, so that `file` appears whole or not at
-/// all. The partial file keeps the suffix, because image libraries choose the format by it. Throws InputError
-/// if anything fails, after removing the partial file; `write` reports failure by a std::exception.
+/// Lets `write` fill a file of the same name in a hidden folder beside `file` and moves it to `file`, so that
+/// `file` appears whole or not at all. Throws InputError if anything fails; `write` reports failure by a
+/// std::exception.
 void writeWhole(const std::filesystem::path& file,
                 const std::function<void(const std::filesystem::path& partial)>& write);
 
@@ -31,20 +34,17 @@ class StagedFolder {
   public:
     /// `folder` exists. Throws InputError if it cannot be written to.
     explicit StagedFolder(std::filesystem::path folder);
-    /// What has not appeared is gone.
-    ~StagedFolder();
-    StagedFolder(const StagedFolder&) = delete;
-    StagedFolder& operator=(const StagedFolder&) = delete;
 
-    /// Where to write them.
-    const std::filesystem::path& path() const { return _staged; }
+    /// Where to write them. What has not appeared is gone with the object.
+    const std::filesystem::path& path() const { return _staging->path(); }
 
     /// Puts the files in their place. `index`, which tells of the others, is gone before the first of them
     /// and comes last. Throws InputError.
     void appear(const std::string& index);
 
   private:
-    std::filesystem::path _folder, _staged;
+    std::filesystem::path _folder;
+    std::optional<Staging> _staging;
 };
 
 void writeText(const std::filesystem::path& file, const std::string& text);
