@@ -9,6 +9,7 @@ layout(local_size_x = 64) in;
 layout(binding = 0) uniform sampler2D positionMap;
 layout(binding = 1) uniform sampler2D diffuseMap;
 layout(binding = 2) uniform sampler2D normalMap;
+layout(binding = 4) uniform sampler2D coverage; // R32F (levelmap/coverage.comp)
 layout(std430, binding = 0) readonly buffer Indices { uint indices[]; };
 layout(std430, binding = 3) readonly buffer BeamOrigins { vec4 origins[]; };
 layout(std430, binding = 5) readonly buffer BeamFlux { float flux[]; };
@@ -25,11 +26,14 @@ layout(location = 7) uniform int meanShade; // 1: the method takes no light wher
 const float counted = -4.0;
 const float shaded = -3.0;
 
-// The share of light at `point` that the level map takes; -1 where no texel of the neighbourhood shows this surface.
+// The share of light at `point` that the level map takes; -1 where no texel of the neighbourhood shows this surface,
+// and at a rim where the receiver does not reach the middle of its texel.
 float placedShare(vec3 point) {
     vec3 q = boxLocal(point);
     ivec2 center = ivec2(floor(q.xy / boxExtent.w));
     float share = -1.0;
+    bool isInside = all(greaterThanEqual(center, ivec2(0))) && all(lessThan(center, boxSize.xy));
+    if (isInside && texelFetch(positionMap, center, 0).y == -1.0 && texelFetch(coverage, center, 0).r > 0.0) return share;
     for (int i = 0; i < 9; ++i) {
         ivec2 texel = center + ivec2(i % 3 - 1, i / 3 - 1);
         if (any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(texel, boxSize.xy))) continue;

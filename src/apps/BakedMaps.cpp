@@ -6,8 +6,9 @@ namespace limpid::apps {
 
 namespace {
 
-io::BakedMap bakedMap(const Engine& engine, const ReceiverMaps& maps) {
-    MapData data = readMaps(maps, engine.origin());
+io::BakedMap bakedMap(Engine& engine, const ReceiverMaps& maps) {
+    const gl::Texture coverage = engine.coverage(maps);
+    MapData data = readMaps(maps, engine.origin(), &coverage);
     io::BakedMap baked;
     baked.receiver = engine.scene().receivers[std::size_t(maps.receiver)].name;
     baked.light = engine.scene().lights[std::size_t(maps.light)].name;
@@ -27,7 +28,7 @@ io::BakedMap bakedMap(const Engine& engine, const ReceiverMaps& maps) {
 
 } // namespace
 
-std::vector<io::BakedMap> bakedMaps(const Engine& engine) {
+std::vector<io::BakedMap> bakedMaps(Engine& engine) {
     std::vector<io::BakedMap> baked;
     for (const ReceiverMaps& maps : engine.maps())
         baked.push_back(bakedMap(engine, maps));

@@ -101,6 +101,7 @@ FluxBalance FluxAudit::count(const Beams& beams, const WaterMesh& surface, const
             for (const Placed& placed : maps) {
                 if ((placed.map->facing > 0) != further) continue;
                 bindMap(*placed.map);
+                placed.coverage->bind(4);
                 place(first, beamCount, placed.receiver);
             }
         place(first, beamCount, unplaced);
@@ -115,12 +116,12 @@ FluxBalance FluxAudit::count(const Beams& beams, const WaterMesh& surface, const
 }
 
 double depositedFlux(std::span<const float> irradiance, std::span<const float> normalDotAxis,
-                     double texelArea) {
+                     std::span<const float> coverage, double texelArea) {
     double sum = 0;
     for (std::size_t i = 0; i < normalDotAxis.size(); ++i) {
         if (normalDotAxis[i] <= 0) continue;
         const double mean = meanOf({irradiance[3 * i], irradiance[3 * i + 1], irradiance[3 * i + 2]});
-        sum += mean * texelArea / double(normalDotAxis[i]);
+        sum += mean * texelArea * double(coverage[i]) / double(normalDotAxis[i]);
     }
     return sum;
 }

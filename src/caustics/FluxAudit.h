@@ -31,6 +31,7 @@ class FluxAudit {
     struct Placed {
         int receiver;
         const LevelMap* map;
+        const gl::Texture* coverage; ///< of the map (levelmap/Coverage.h)
     };
     /// What a method shades by: the mean light, or each beam's own direction.
     enum class Shade { Mean, Own };
@@ -47,9 +48,9 @@ class FluxAudit {
     gl::Program _land, _landOwn, _meet, _place;
 };
 
-/// Σ irradiance · surface area of the texel, W, mean of R, G and B. `irradiance`: RGB, `normalDotAxis`: |n·V|
-/// of each texel, 0 where there is no receiver.
+/// Σ irradiance · surface area in the texel, W, mean of R, G and B. `irradiance`: RGB, `normalDotAxis`: |n·V|
+/// of each texel, 0 where there is no receiver; `coverage`: the share of each that the receiver covers.
 double depositedFlux(std::span<const float> irradiance, std::span<const float> normalDotAxis,
-                     double texelArea);
+                     std::span<const float> coverage, double texelArea);
 
 } // namespace limpid

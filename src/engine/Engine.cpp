@@ -16,17 +16,9 @@ namespace {
 
 using Scope = gl::PassTimers::Scope;
 
-/// The map size whose scene depth map light is counted by, at least.
-constexpr int auditMapSize = 1024;
-
 /// As texelFrame has it.
 bool isFlat(const OrientedBox& box) {
     return box.extent.z <= 1e-4 * std::max(box.extent.x, box.extent.y);
-}
-
-/// Whether light is shaded by what is in its own way, and not in the mean light's.
-bool goesOwnWay(Method method) {
-    return method == Method::ExactBeam || method == Method::PhotonSplat;
 }
 
 double farthestWater(const Light& light, const Water& water, const std::vector<glm::dvec3>& points) {
@@ -372,25 +364,6 @@ void Engine::slice(LevelMap& map) {
     if (settings.slicing == Slicing::Automatic && _skipping) _smartSlicing.dropEmptyPlanes(map);
     if (settings.slicing == Slicing::Levels)
         _smartSlicing.sliceByLevels(map, settings.depthLevels, settings.threshold);
-}
-
-FluxBalance Engine::auditFlux(int index) try {
-    const LightState& state = _lights[std::size_t(index)];
-    if (state.beams.strength == glm::dvec3(0)) return {};
-    // Rims are told by texels' middles. That may put a floor's four all outwards or all inwards: with the
-    // methods' own map, which at 256 is 512 wide, 0.4 % of its light.
-    SceneDepth sceneDepth;
-    drawSceneDepth(sceneDepth, state, std::max(_scene.caustics.mapSize, auditMapSize));
-    std::vector<FluxAudit::Placed> levels;
-    for (const ReceiverMaps& maps : _maps)
-        if (maps.light == index) levels.push_back({maps.receiver, &maps.level});
-    Scope scope(_timers, "flux audit");
-    return _fluxAudit.count(state.beams, _surface.mesh(), _scene.water, sceneDepth, levels, state.farthest,
-                            goesOwnWay(_scene.caustics.method) ? FluxAudit::Shade::Own
-                                                               : FluxAudit::Shade::Mean);
-} catch (...) {
-    freeMaps();
-    throw;
 }
 
 } // namespace limpid

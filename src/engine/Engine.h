@@ -20,6 +20,7 @@
 #include "godrays/ExactShafts.h"
 #include "godrays/PhotonLines.h"
 #include "godrays/Tetrahedra.h"
+#include "levelmap/Coverage.h"
 #include "levelmap/LampShadow.h"
 #include "levelmap/LevelMap.h"
 #include "levelmap/PlaneDepths.h"
@@ -115,6 +116,8 @@ class Engine {
 
     /// Where the light went, all but `deposited`. After updateCaustics; waits for the GPU.
     FluxBalance auditFlux(int light);
+    /// Of one of maps(), after updateCaustics (levelmap/Coverage.h).
+    gl::Texture coverage(const ReceiverMaps& maps);
 
     /// Pixels on the longer side of a picture, at most.
     static int largestPicture(const gl::Context& context) { return PicturePass::largestSide(context); }
@@ -193,6 +196,7 @@ class Engine {
     std::unique_ptr<StencilVolumes> _stencil;  ///< likewise
     std::unique_ptr<PhotonSplat> _photonSplat; ///< likewise
     FluxAudit _fluxAudit;
+    std::unique_ptr<CoveragePass> _coveragePass;     ///< made when light is counted
     const gl::Texture* _godrays = nullptr;           ///< of the picture that was begun last; null for none
     std::unique_ptr<GodrayTarget> _godrayTarget;     ///< made for the first picture that shows some
     std::unique_ptr<PhotonLines> _photonLines;       ///< likewise

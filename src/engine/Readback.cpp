@@ -7,7 +7,7 @@
 
 namespace limpid {
 
-MapData readMaps(const ReceiverMaps& maps, const glm::dvec3& origin) {
+MapData readMaps(const ReceiverMaps& maps, const glm::dvec3& origin, const gl::Texture* coverage) {
     const TexelFrame& frame = maps.level.frame;
     const auto position = maps.level.position.readFloats(GL_RG, 2);
     const auto normal = maps.level.normal.readFloats(GL_RG, 2);
@@ -36,7 +36,8 @@ MapData readMaps(const ReceiverMaps& maps, const glm::dvec3& origin) {
         // its own.
         data.normalDotAxis[i] = float(std::max(facing, 4e-5));
     }
-    data.deposited = depositedFlux(data.irradiance, data.normalDotAxis, frame.texelArea());
+    const auto covered = coverage ? coverage->readFloats(GL_RED, 1) : std::vector<float>(texels, 1.0f);
+    data.deposited = depositedFlux(data.irradiance, data.normalDotAxis, covered, frame.texelArea());
     return data;
 }
 

@@ -67,6 +67,10 @@ Fill fillOf(Method method, Fill asked) {
     return method == Method::ExactBeam || method == Method::PhotonSplat ? Fill::OnePass : Fill::Drawn;
 }
 
+bool goesOwnWay(Method method) {
+    return method == Method::ExactBeam || method == Method::PhotonSplat;
+}
+
 bool sumsBeams(const CausticsSettings& settings) {
     return settings.method != Method::PhotonSplat && fillOf(settings.method, settings.fill) == Fill::OnePass;
 }

@@ -191,6 +191,8 @@ std::optional<Fill> fillFromName(std::string_view name);
 bool hasFills(Method method);
 /// How a method comes to its light where `asked` is.
 Fill fillOf(Method method, Fill asked);
+/// Whether light is shaded by what is in its own way, and not in the mean light's.
+bool goesOwnWay(Method method);
 /// Whether the light is summed beam by beam in compute passes: beams are passed over many at a time, and a
 /// light's disc is more than a point.
 bool sumsBeams(const CausticsSettings& settings);

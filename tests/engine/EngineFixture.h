@@ -21,7 +21,8 @@ class EngineGLTest : public GLTest {
         engine.updateCaustics(0);
         Baked baked;
         for (const ReceiverMaps& maps : engine.maps()) {
-            baked.maps.push_back(readMaps(maps, engine.origin()));
+            const gl::Texture coverage = engine.coverage(maps);
+            baked.maps.push_back(readMaps(maps, engine.origin(), &coverage));
             baked.planesDrawn.push_back(int(maps.level.planes.size()));
             baked.planesRequested.push_back(maps.level.requestedPlanes);
             baked.frames.push_back(maps.level.frame);

@@ -18,9 +18,6 @@ struct Known {
 };
 
 inline std::span<const Known> allKnown() {
-    static constexpr std::string_view rims = "what is deposited is summed over texels, and those at a rim "
-                                             "count whole: a texel's width of all rims, "
-                                             "less with finer maps";
     static constexpr std::string_view flatCosine =
         "it takes the cosine by flat water's light, which is far from the waves' here";
     static constexpr Known known[] = {
@@ -29,8 +26,6 @@ inline std::span<const Known> allKnown() {
         {"lamp-close", "all", 0.3,
          "a lamp 1 mm above water whose quads are 16 mm wide: directions and Fresnel's share are those of a "
          "quad's corners, and go wrong between them"},
-        {"gap", "all", 0.012, rims},
-        {"emergent", "all", 0.005, rims},
         {"grazing", "stencil", 0.05, flatCosine},
         {"low-sun", "stencil", 0.02, flatCosine},
         {"lights", "stencil", 0.02, flatCosine},
