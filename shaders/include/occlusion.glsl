@@ -9,8 +9,22 @@
 layout(binding = 6) uniform sampler2D scenePyramid; // RGBA32F (scene_depth_range.comp)
 layout(binding = 8) uniform sampler2D secondSolids; // RG32F (the same)
 
-// Depths within this much of a point are the surface that it lies on itself, m: `slope` is how depth grows sideways.
-float contact(float slope) { return sceneDepthTexel() * (3.0 + 2.0 * min(slope, 10.0)); }
+// How much the depth of a face changes from one texel of the scene depth map to the next because a lamp's rays fan out, m:
+// under flat water a ray that enters `away` from the lamp's foot leans by tan = away / q, q² = n² above² + (n² - 1) away²,
+// and comes `away` + tan · below aside. From texels that far apart on the receiver, depth grows by lean and slope.
+float fanned(vec3 entry, float depth, float slope) {
+    if (!isPointLight()) return 0.0;
+    float above = lightPosition.y - waterSurface.x, away = distance(entry.xz, lightPosition.xz), n2 = waterSurface.y * waterSurface.y;
+    float q = sqrt(n2 * above * above + (n2 - 1.0) * away * away);
+    return sceneDepthTexel() * (depth / q) * (away / q + slope);
+}
+
+// Depths within this much of a point are the surface that it lies on itself, m: `slope` is how depth grows sideways. All of
+// the texels that asideOfNearest looks at are within two.
+float contact(vec3 entry, float depth, float slope) {
+    float lean = min(slope, 10.0);
+    return sceneDepthTexel() * (3.0 + 2.0 * lean) + 2.0 * fanned(entry, depth, lean);
+}
 
 // The same for another receiver's surface, m.
 float besideOthers() { return 0.5 * sceneDepthTexel(); }
@@ -59,7 +73,7 @@ float asideOfNearest(ivec2 at, float depth, float beforeItself, float beforeOthe
 // does not; 0, and only following it can tell. `slope` as for contact().
 float certainAside(vec3 point, float slope, int receiverNumber) {
     vec3 entry = entryPoint(point);
-    float depth = distance(point, entry), first = depth - contact(slope);
+    float depth = distance(point, entry), first = depth - contact(entry, depth, slope);
     vec2 size = vec2(textureSize(sceneDepth, 0));
     vec2 texel = sceneDepthRect.zw / size;
     float width = min(texel.x, texel.y);
@@ -91,7 +105,7 @@ float certainAside(vec3 point, float slope, int receiverNumber) {
 bool isTaken(vec3 start, vec3 point, float slope, int receiverNumber) {
     vec3 entry = entryPoint(point);
     float depth = distance(point, entry);
-    float beforeItself = depth - contact(slope), beforeOthers = depth - besideOthers();
+    float beforeItself = depth - contact(entry, depth, slope), beforeOthers = depth - besideOthers();
     vec2 size = vec2(textureSize(sceneDepth, 0));
     vec2 from = sceneDepthUv(entryPoint(start)) * size, to = sceneDepthUv(entry) * size;
     int steps = clamp(int(ceil(max(abs(to.x - from.x), abs(to.y - from.y)))), 1, 128);

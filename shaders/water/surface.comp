@@ -16,6 +16,8 @@ layout(location = 5) uniform int frameCount;           // two for each height ma
 layout(location = 6) uniform vec4 heightMapPlaces[4];  // corner x, z, m; texels a metre
 layout(location = 10) uniform float frameShares[8];    // m for one unit
 layout(location = 18) uniform int tiled[4];            // 1: the height map repeats without end
+layout(location = 22) uniform int hasLines;            // 0: quads are equally wide
+layout(std430, binding = 3) readonly buffer Lines { float lines[]; }; // between quads, m: all along x, then along z
 layout(binding = 0) uniform sampler2D frames[8];       // coefficients of a bicubic B-spline
 
 // Value and derivatives by texel of a frame at `at`, in texels from the corner of the first one. Outside of the
@@ -55,7 +57,7 @@ void main() {
     int index = int(gl_GlobalInvocationID.y * gl_NumWorkGroups.x * gl_WorkGroupSize.x + gl_GlobalInvocationID.x);
     if (index >= (quads.x + 1) * (quads.y + 1)) return;
     ivec2 at = ivec2(index % (quads.x + 1), index / (quads.x + 1));
-    vec2 xz = patchMin + patchSize * vec2(at) / vec2(quads);
+    vec2 xz = hasLines != 0 ? vec2(lines[at.x], lines[quads.x + 1 + at.y]) : patchMin + patchSize * vec2(at) / vec2(quads);
     vec3 sum = vec3(0.0);
     for (int i = 0; i < waveCount; ++i) sum += waveHeightAndSlope(waves[i], xz);
     sum += heightMapsAt(xz);

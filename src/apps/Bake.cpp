@@ -20,7 +20,7 @@ io::BakedLight bakedLight(Engine& engine, int index, const std::vector<io::Baked
     const std::string& name = engine.scene().lights[std::size_t(index)].name;
     for (const io::BakedMap& map : maps)
         if (map.light == name) flux.deposited += map.deposited;
-    const int beams = engine.light(index).beams.triangleCount;
+    const int beams = engine.light(index).mapBeams().triangleCount;
     return {name,          beams,          engine.beamsDrawn(index), flux.entering,
             flux.absorbed, flux.scattered, flux.deposited,           flux.missed,
             flux.rejected, flux.residual()};

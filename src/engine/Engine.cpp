@@ -193,7 +193,8 @@ void Engine::traceBeams() {
         Scope scope(_timers, "beams");
         _beamTracer.trace(state.beams, _surface.mesh(),
                           state.surfaceShadow.id() ? &state.surfaceShadow : nullptr);
-        if (cullsBeams()) _culling.update(state.tiles, state.beams, _surface.mesh());
+        traceLampWater(state);
+        if (cullsBeams()) _culling.update(state.tiles, state.mapBeams(), mapMesh(state));
         for (DiscPoint& point : state.disc) {
             _beamTracer.trace(point.beams, _surface.mesh(), state.beams.surfaceShadow);
             if (cullsBeams()) _culling.update(point.tiles, point.beams, _surface.mesh());
@@ -244,6 +245,7 @@ void Engine::updateLight(int index) {
     frame.surfaceShadowRect = surfaceShadowRect(light, _scene.water, _patch, _dry, _origin);
     _beamTracer.prepare(state.beams, _surface.mesh(), light, _scene.water, frame);
     prepareDisc(index, frame);
+    prepareLampWater(index, frame);
     if (frame.surfaceShadowRect.z > 0) {
         Scope scope(_timers, "surface shadow");
         _surfaceShadowPass.draw(state.surfaceShadow, state.beams, _receivers);

@@ -31,6 +31,7 @@
 #include "scene/Scene.h"
 #include "view/Picture.h"
 #include "water/Beams.h"
+#include "water/LampPatch.h"
 #include "water/WaterSurface.h"
 
 namespace limpid {
@@ -41,15 +42,26 @@ struct DiscPoint {
     BeamTiles tiles;
 };
 
+/// The water in finer quads for a lamp that is close to it, and the beams that its maps are filled with.
+struct LampWater {
+    WaterPatch patch;
+    WaterSurface surface;
+    Beams beams;
+};
+
 /// What one light does: its beams, and what they meet first if the water were flat.
 struct LightState {
     Beams beams;
+    std::unique_ptr<LampWater> lampWater; ///< empty where the water's own quads are fine enough
     SceneDepth sceneDepth;
     gl::Texture surfaceShadow;   ///< empty if nothing stands out of the water
     gl::Texture lampShadow;      ///< empty unless a lamp is under water and a picture shows it
     double farthest = 1;         ///< m of water to the farthest receiver, at most
     BeamTiles tiles;             ///< where beams are passed over many at a time
     std::vector<DiscPoint> disc; ///< besides its middle, whose beams are `beams`; empty for a point far away
+
+    /// What maps are filled with; pictures and godrays take `beams`.
+    const Beams& mapBeams() const { return lampWater ? lampWater->beams : beams; }
 };
 
 /// The maps of one receiver and one light.
@@ -145,6 +157,9 @@ class Engine {
     void updateSurface(double time);
     void updateLight(int light);
     void prepareDisc(int light, const LightFrameData& middle);
+    void prepareLampWater(int light, const LightFrameData& frame);
+    void traceLampWater(LightState& state);
+    const WaterMesh& mapMesh(const LightState& state) const;
     void traceBeams();
     void updateMaps(ReceiverMaps& maps);
     void updateReceiver(ReceiverMaps& maps);

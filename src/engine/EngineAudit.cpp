@@ -37,9 +37,9 @@ FluxBalance Engine::auditFlux(int index) try {
     for (std::size_t i = 0; i < levels.size(); ++i)
         levels[i].coverage = &coverages[i];
     Scope scope(_timers, "flux audit");
-    return _fluxAudit.count(state.beams, _surface.mesh(), _scene.water, sceneDepth, levels, state.farthest,
-                            goesOwnWay(_scene.caustics.method) ? FluxAudit::Shade::Own
-                                                               : FluxAudit::Shade::Mean);
+    return _fluxAudit.count(
+        state.mapBeams(), mapMesh(state), _scene.water, sceneDepth, levels, state.farthest,
+        goesOwnWay(_scene.caustics.method) ? FluxAudit::Shade::Own : FluxAudit::Shade::Mean);
 } catch (...) {
     freeMaps();
     throw;

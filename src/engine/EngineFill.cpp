@@ -12,12 +12,38 @@ void Engine::fillInOnePass(Pass& pass, ReceiverMaps& maps, const InputsOf& input
     const int points = 1 + int(state.disc.size());
     for (const DiscPoint& point : state.disc)
         pass.deposit(inputsOf(point.beams, cullBeams(maps, point.tiles), points));
-    const auto middle = inputsOf(state.beams, cullBeams(maps, state.tiles), points);
+    const auto middle = inputsOf(state.mapBeams(), cullBeams(maps, state.tiles), points);
     pass.deposit(middle);
     pass.resolve(maps.caustics, middle);
     if (state.disc.empty()) return;
     const Light& light = _scene.lights[std::size_t(maps.light)];
     _discFilter.apply(maps.caustics, {maps.level, state.beams, light, _scene.water, state.farthest});
+}
+
+/// A photon stands for an equal piece of the water, whatever quads there are.
+void Engine::prepareLampWater(int index, const LightFrameData& frame) {
+    LightState& state = _lights[std::size_t(index)];
+    const Light& light = _scene.lights[std::size_t(index)];
+    state.lampWater.reset();
+    if (_scene.caustics.method == Method::PhotonSplat) return;
+    std::optional<WaterPatch> patch = lampPatch(light, _scene.water, _patch);
+    if (!patch) return;
+    state.lampWater =
+        std::make_unique<LampWater>(LampWater{std::move(*patch), WaterSurface(_context), Beams{}});
+    LampWater& own = *state.lampWater;
+    own.surface.update(_scene.water, own.patch, _origin, *_causticsTime);
+    _beamTracer.prepare(own.beams, own.surface.mesh(), light, _scene.water, frame);
+}
+
+void Engine::traceLampWater(LightState& state) {
+    if (!state.lampWater) return;
+    LampWater& own = *state.lampWater;
+    own.surface.update(_scene.water, own.patch, _origin, *_causticsTime);
+    _beamTracer.trace(own.beams, own.surface.mesh(), state.beams.surfaceShadow);
+}
+
+const WaterMesh& Engine::mapMesh(const LightState& state) const {
+    return state.lampWater ? state.lampWater->surface.mesh() : _surface.mesh();
 }
 
 void Engine::fill(ReceiverMaps& maps) {
@@ -35,28 +61,29 @@ void Engine::fill(ReceiverMaps& maps) {
     case Method::LevelMap:
     case Method::LevelMapSmart:
         if (_scene.caustics.fill == Fill::Drawn) {
-            _drawnPlanes.fill(maps.caustics, maps.level, state.beams, _surface.mesh(), _scene.water);
+            _drawnPlanes.fill(maps.caustics, maps.level, state.mapBeams(), mapMesh(state), _scene.water);
             break;
         }
         fillInOnePass(_planeBeams, maps, [&](const Beams& beams, const BeamCulling* culling, int points) {
-            return PlaneBeams::Inputs{maps.level,   maps.depths, beams,   _surface.mesh(), _patch,
-                                      _scene.water, light,       culling, colours,         points};
+            return PlaneBeams::Inputs{maps.level,   maps.depths, beams,   mapMesh(state), _patch,
+                                      _scene.water, light,       culling, colours,        points};
         });
         break;
     case Method::ExactBeam:
         fillInOnePass(_exactBeams, maps, [&](const Beams& beams, const BeamCulling* culling, int points) {
-            return ExactBeams::Inputs{maps.level, maps.receiver,   maps.tangents, sceneDepthOf(maps),
-                                      beams,      _surface.mesh(), _patch,        _scene.water,
-                                      light,      culling,         colours,       points};
+            return ExactBeams::Inputs{maps.level, maps.receiver,  maps.tangents, sceneDepthOf(maps),
+                                      beams,      mapMesh(state), _patch,        _scene.water,
+                                      light,      culling,        colours,       points};
         });
         break;
     case Method::Volumetric:
-        _volumetric->drawCaustics(maps.slices, maps.level, state.beams, _surface.mesh(), _scene.water);
+        _volumetric->drawCaustics(maps.slices, maps.level, state.mapBeams(), mapMesh(state), _scene.water);
         _volumetric->combine(maps.caustics, maps.level, maps.slices);
         break;
     case Method::Stencil:
         if (!_stencil) _stencil = std::make_unique<StencilVolumes>(_context);
-        _stencil->fill(maps.caustics, maps.level, maps.depths, state.beams, _surface.mesh(), _scene.water);
+        _stencil->fill(maps.caustics, maps.level, maps.depths, state.mapBeams(), mapMesh(state),
+                       _scene.water);
         break;
     case Method::PhotonSplat:
         splatPhotons(maps);

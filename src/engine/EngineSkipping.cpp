@@ -45,7 +45,7 @@ Skipped Engine::skipped() const {
     for (const ReceiverMaps& maps : _maps) {
         if (!maps.culled) continue;
         const auto asked = maps.askedBeams.read<std::uint32_t>(1).front();
-        skipped.beams += _lights[std::size_t(maps.light)].beams.triangleCount - std::int64_t(asked);
+        skipped.beams += _lights[std::size_t(maps.light)].mapBeams().triangleCount - std::int64_t(asked);
         if (asked == 0) ++skipped.unlitMaps;
     }
     return skipped;
@@ -54,7 +54,7 @@ Skipped Engine::skipped() const {
 std::int64_t Engine::beamsDrawn(int light) const {
     const LightState& state = _lights[std::size_t(light)];
     if (_skipping && isDark(light)) return 0;
-    return state.tiles.quads == glm::ivec2(0) ? state.beams.triangleCount : state.tiles.reachedBeams();
+    return state.tiles.quads == glm::ivec2(0) ? state.mapBeams().triangleCount : state.tiles.reachedBeams();
 }
 
 } // namespace limpid

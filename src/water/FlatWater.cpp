@@ -173,7 +173,7 @@ WaterPatch lightingPatch(const Water& water, const Light& light, const Bounds& w
     const glm::dvec2 low = glm::max(starts->first, patch.min());
     const glm::dvec2 high = glm::min(starts->second, patch.min() + patch.size);
     if (high.x <= low.x || high.y <= low.y) return patch;
-    return {0.5 * (low + high), high - low, patch.grid};
+    return {0.5 * (low + high), high - low, patch.grid, {}};
 }
 
 bool mayReach(const Water& water, const Light& light, const Bounds& wet, const WaterPatch& patch) {

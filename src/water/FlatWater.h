@@ -1,4 +1,7 @@
 #pragma once
+#include <array>
+#include <vector>
+
 #include <glm/glm.hpp>
 
 #include "scene/Scene.h"
@@ -29,7 +32,10 @@ glm::dvec3 meanDirection(const Light& light, const Water& water, const glm::dvec
 struct WaterPatch {
     glm::dvec2 center{0}; ///< x, z
     glm::dvec2 size{2};   ///< m
-    glm::ivec2 grid{1};   ///< quads
+    glm::ivec2 grid{1};   ///< quads; equally wide, unless there are
+    /// Lines between quads, m from min() along x and z, both ends included: as many as `grid` says and one
+    /// more, or none.
+    std::array<std::vector<double>, 2> lines{};
 
     glm::dvec2 min() const { return center - 0.5 * size; }
 };

@@ -17,9 +17,11 @@ enum Uniform {
     FrameCount,
     HeightMapPlaces,
     FrameShares = 10,
-    Tiled = 18
+    Tiled = 18,
+    HasLines = 22
 };
 constexpr int groupSize = 64;
+constexpr GLuint linesBinding = 3;
 
 std::vector<std::uint32_t> gridTriangles(glm::ivec2 quads) {
     std::vector<std::uint32_t> indices;
@@ -34,6 +36,17 @@ std::vector<std::uint32_t> gridTriangles(glm::ivec2 quads) {
                 indices.insert(indices.end(), {a, c, d, a, d, b});
         }
     return indices;
+}
+
+/// All along x, then all along z, m from the scene's origin; empty where quads are equally wide.
+gl::Buffer linesOf(gl::Ledger& ledger, const WaterPatch& patch, const glm::dvec3& origin) {
+    if (patch.lines[0].empty()) return {};
+    const glm::dvec2 corner = patch.min() - glm::dvec2(origin.x, origin.z);
+    std::vector<float> all;
+    for (const int axis : {0, 1})
+        for (const double line : patch.lines[std::size_t(axis)])
+            all.push_back(float(corner[axis] + line));
+    return {ledger, "water", std::span<const float>(all)};
 }
 
 } // namespace
@@ -69,6 +82,9 @@ void WaterSurface::update(const Water& water, const WaterPatch& patch, const glm
     _program.set(PatchSize, glm::vec2(patch.size));
     _program.set(Quads, patch.grid);
     _program.set(Level, float(water.level - origin.y));
+    const gl::Buffer lines = linesOf(_context.ledger(), patch, origin);
+    _program.set(HasLines, lines.id() ? 1 : 0);
+    if (lines.id()) lines.bindStorage(linesBinding);
     _program.set(WaveCount, int(terms.size()));
     _program.set(FrameCount, int(2 * maps.size()));
     for (int i = 0; i < int(maps.size()); ++i) {

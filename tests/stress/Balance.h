@@ -23,9 +23,8 @@ inline std::span<const Known> allKnown() {
     static constexpr Known known[] = {
         {"lens", "level-map level-map-smart volumetric stencil", 1,
          "light is taken by texels' centres, and no beam that a lens makes so narrow covers one"},
-        {"lamp-close", "all", 0.3,
-         "a lamp 1 mm above water whose quads are 16 mm wide: directions and Fresnel's share are those of a "
-         "quad's corners, and go wrong between them"},
+        {"lamp-close", "photon-splat", 0.03,
+         "photons are a cell of a grid wide, far wider than the lamp is high, and each has one direction"},
         {"grazing", "stencil", 0.05, flatCosine},
         {"low-sun", "stencil", 0.02, flatCosine},
         {"lights", "stencil", 0.02, flatCosine},

@@ -116,7 +116,7 @@ void skippedTable(Stage& stage) {
         if (count > 0) row(fmt::format("skipped: {}", kind), fmt::format("{}", count));
     for (std::size_t i = 0; i < engine.scene().lights.size(); ++i)
         row(fmt::format("{}: beams", engine.scene().lights[i].name),
-            fmt::format("{}", engine.light(int(i)).beams.triangleCount));
+            fmt::format("{}", engine.light(int(i)).mapBeams().triangleCount));
     ImGui::EndTable();
 }
 
