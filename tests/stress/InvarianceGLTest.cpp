@@ -1,6 +1,9 @@
 // What must not change the light does not: generated scenes, turned, moved, scaled, sorted otherwise, cut in
 // two. The number of scenes and the seed are RapidCheck's, in the environment: RC_PARAMS="max_success=100".
+#include <algorithm>
+#include <functional>
 #include <numbers>
+#include <numeric>
 
 #include <gtest/gtest.h>
 
@@ -46,15 +49,44 @@ double deposited(const Baked& baked) {
     return watts;
 }
 
-class InvarianceGLTest : public StressTest {};
+class InvarianceGLTest : public StressTest {
+  protected:
+    /// nmae without the `but` texels that differ most.
+    static double nmaeOfMost(const Baked& a, const Baked& b, std::size_t but) {
+        std::vector<double> differences;
+        double all = 0;
+        for (std::size_t m = 0; m < b.maps.size(); ++m)
+            for (std::size_t i = 0; i < b.maps[m].irradiance.size(); i += 3) {
+                double& difference = differences.emplace_back(0);
+                for (std::size_t c = i; c < i + 3; ++c) {
+                    const double x = a.maps[m].irradiance[c], y = b.maps[m].irradiance[c];
+                    difference += std::abs(x - y), all += y;
+                }
+            }
+        std::sort(differences.begin(), differences.end(), std::greater());
+        return std::accumulate(differences.begin() + std::ptrdiff_t(but), differences.end(), 0.0) / all;
+    }
+};
 
-// Lengths from a ten-thousandth to 10⁵ of what they were, by powers of two: no mantissa changes, so that no
-// texel at a rim comes to lie on its other side, and whatever differs is a threshold that should have grown.
-// By powers of ten: stress/Truths.h.
+// Lengths from a ten-thousandth to 10⁵ of what they were, by powers of two: no mantissa changes, and whatever
+// differs is a threshold that should have grown.
 RC_GTEST_FIXTURE_PROP(InvarianceGLTest, scaleWithAllLengths, ()) {
     const Scene scene = anyScene();
     const double scale = std::exp2(*rc::gen::inRange(-13, 18));
     RC_ASSERT(nmae(bake(transformed(scene, scale)), bake(scene)) <= 1e-6);
+}
+
+// By powers of ten every number is rounded anew. A place in a map is then another by 2^-24 of the map's side,
+// at each edge of what a texel takes. And what asks the scene depth map for its texel may get the one beside:
+// on the rim of the ball's shade, where they differ, that is the light of one beam on one texel, all or
+// nothing. Of such beams there are some 200; that one is as near as a few roundings, 5e-5 of the scene depth
+// map's texels, to where two of those meet, across or along, has a chance of 0.02 in a scene (6 of 400 had one,
+// and none two), and four in one of 100 scenes less than 1e-6.
+RC_GTEST_FIXTURE_PROP(InvarianceGLTest, scaleByPowersOfTen, ()) {
+    const Scene scene = anyScene();
+    const double scale = std::pow(10, *rc::gen::inRange(-4, 6));
+    const double edges = 4 * 0x1p-24 * scene.caustics.mapSize;
+    RC_ASSERT(nmaeOfMost(bake(transformed(scene, scale)), bake(scene), 3) <= edges);
 }
 
 RC_GTEST_FIXTURE_PROP(InvarianceGLTest, placeInTheWorld, ()) {
