@@ -1,4 +1,5 @@
 #include "engine/Engine.h"
+#include "engine/Limits.h"
 
 /// How each method comes to the light of a map.
 namespace limpid {
@@ -20,14 +21,15 @@ void Engine::fillInOnePass(Pass& pass, ReceiverMaps& maps, const InputsOf& input
     _discFilter.apply(maps.caustics, {maps.level, state.beams, light, _scene.water, state.farthest});
 }
 
-/// A photon stands for an equal piece of the water, whatever quads there are.
+/// A photon stands for an equal piece of the water, whatever quads there are. A grid so fine that the GPU has
+/// no room for more is left as it is.
 void Engine::prepareLampWater(int index, const LightFrameData& frame) {
     LightState& state = _lights[std::size_t(index)];
     const Light& light = _scene.lights[std::size_t(index)];
     state.lampWater.reset();
     if (_scene.caustics.method == Method::PhotonSplat) return;
     std::optional<WaterPatch> patch = lampPatch(light, _scene.water, _patch);
-    if (!patch) return;
+    if (!patch || !hasRoomFor(patch->grid, _context.info())) return;
     state.lampWater =
         std::make_unique<LampWater>(LampWater{std::move(*patch), WaterSurface(_context), Beams{}});
     LampWater& own = *state.lampWater;

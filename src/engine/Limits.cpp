@@ -6,13 +6,24 @@
 
 namespace limpid {
 
+namespace {
+
 /// The largest buffer holds 16 bytes a triangle.
+std::int64_t mostQuads(const gl::DeviceInfo& gpu) {
+    return gpu.maxStorageBlockBytes / 32;
+}
+
+} // namespace
+
+bool hasRoomFor(glm::ivec2 grid, const gl::DeviceInfo& gpu) {
+    return std::int64_t(grid.x) * grid.y <= mostQuads(gpu);
+}
+
 void requireGrid(glm::ivec2 grid, const gl::DeviceInfo& gpu) {
-    const std::int64_t triangles = 2 * std::int64_t(grid.x) * grid.y, most = gpu.maxStorageBlockBytes / 16;
-    if (triangles > most)
+    if (!hasRoomFor(grid, gpu))
         throw InputError(
-            fmt::format("water.grid: expected at most {} quads in all with this GPU, found {} x {}", most / 2,
-                        grid.x, grid.y));
+            fmt::format("water.grid: expected at most {} quads in all with this GPU, found {} x {}",
+                        mostQuads(gpu), grid.x, grid.y));
 }
 
 void requirePlanes(const CausticsSettings& settings, const gl::DeviceInfo& gpu) {
