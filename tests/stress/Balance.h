@@ -2,6 +2,8 @@
 #include <span>
 #include <string_view>
 
+#include <fmt/format.h>
+
 #include "io/ProfileFile.h"
 #include "stress/StressFixture.h"
 
@@ -23,7 +25,7 @@ inline std::span<const Known> allKnown() {
     static constexpr Known known[] = {
         {"lens", "level-map level-map-smart volumetric stencil", 1,
          "light is taken by texels' centres, and no beam that a lens makes so narrow covers one"},
-        {"lamp-close", "photon-splat", 0.03,
+        {"lamp-close", "photon-splat", 0.05,
          "photons are a cell of a grid wide, far wider than the lamp is high, and each has one direction"},
         {"grazing", "stencil", 0.05, flatCosine},
         {"low-sun", "stencil", 0.02, flatCosine},
@@ -33,11 +35,10 @@ inline std::span<const Known> allKnown() {
 }
 
 inline const Known* knownOf(std::string_view scene, Method method) {
+    const std::string name = fmt::format(" {} ", methodName(method));
     for (const Known& known : allKnown())
         if (known.scene == scene &&
-            (known.methods == "all" ||
-             (" " + std::string(known.methods) + " ").find(" " + std::string(methodName(method)) + " ") !=
-                 std::string::npos))
+            (known.methods == "all" || fmt::format(" {} ", known.methods).find(name) != std::string::npos))
             return &known;
     return nullptr;
 }
