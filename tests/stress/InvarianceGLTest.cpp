@@ -80,8 +80,8 @@ RC_GTEST_FIXTURE_PROP(InvarianceGLTest, scaleWithAllLengths, ()) {
 // at each edge of what a texel takes. And what asks the scene depth map for its texel may get the one beside:
 // on the rim of the ball's shade, where they differ, that is the light of one beam on one texel, all or
 // nothing. Of such beams there are some 200; that one is as near as a few roundings, 5e-5 of the scene depth
-// map's texels, to where two of those meet, across or along, has a chance of 0.02 in a scene (6 of 400 had one,
-// and none two), and four in one of 100 scenes less than 1e-6.
+// map's texels, to where two of those meet, across or along, has a chance of 0.02 in a scene (6 of 400 had
+// one, and none two), and four in one of 100 scenes less than 1e-6.
 RC_GTEST_FIXTURE_PROP(InvarianceGLTest, scaleByPowersOfTen, ()) {
     const Scene scene = anyScene();
     const double scale = std::pow(10, *rc::gen::inRange(-4, 6));
