@@ -28,12 +28,6 @@ constexpr std::size_t maxNameLength = 100;
 
 using Names = std::set<std::string>;
 
-void parseWhole(TomlTable& table, std::string_view key, int& value, int min, int max) {
-    std::int64_t number = value;
-    table.wholeNumber(key, number, min, max);
-    value = static_cast<int>(number);
-}
-
 /// The entry's own name, or `prefix` and its number; unique among `taken`.
 std::string parseName(TomlTable& table, const char* prefix, std::size_t number, Names& taken) {
     std::string name = fmt::format("{}{}", prefix, number);
@@ -96,7 +90,7 @@ void parsePhillips(TomlTable& table, Wave& wave) {
     } else {
         table.vector("size", wind.tile, positive);
     }
-    parseWhole(table, "modes", wind.modes, Wind::minModes, Wind::maxModes);
+    table.wholeNumber("modes", wind.modes, Wind::minModes, Wind::maxModes);
     if ((wind.modes & (wind.modes - 1)) != 0) table.fail("modes", "a power of two");
     table.number("shortest", wind.shortest, positive);
     std::int64_t seed = wind.seed;
@@ -114,7 +108,7 @@ void parseAnalyticWave(TomlTable& table, Wave& wave) {
     table.number("speed", wave.speed, anyNumber);
     if (wave.type == WaveType::Noise) {
         std::int64_t seed = wave.seed;
-        parseWhole(table, "octaves", wave.octaves, 1, 12);
+        table.wholeNumber("octaves", wave.octaves, 1, 12);
         table.wholeNumber("seed", seed, 0, 0xFFFFFFFF);
         wave.seed = static_cast<std::uint32_t>(seed);
     } else {
@@ -167,9 +161,7 @@ Water parseWater(TomlTable table, const fs::path& folder) {
     table.number("level", water.level, anyNumber);
     table.vector("center", water.center, anyNumber);
     table.vector("size", water.size, positive);
-    std::array<std::int64_t, 2> grid = {water.grid.x, water.grid.y};
-    table.wholeNumbers("grid", grid, 1, 8192);
-    water.grid = {static_cast<int>(grid[0]), static_cast<int>(grid[1])};
+    table.wholeNumbers("grid", water.grid, 8192);
     table.number("ior", water.ior, {.min = 1, .max = 4, .text = " from 1 to 4"});
     setWaterBody(table.choice("type", waterBodies), water);
     table.vector("absorption", water.absorption, nonNegative);
@@ -234,7 +226,7 @@ Mesh parseSphere(TomlTable& receiver, const glm::vec3& albedo) {
     int segments = 32;
     if (!table.has("radius")) table.fail("radius", "a number > 0");
     table.number("radius", radius, positive);
-    parseWhole(table, "segments", segments, 4, 1024);
+    table.wholeNumber("segments", segments, 4, 1024);
     table.finish();
     return makeSphere(radius, albedo, segments);
 }
@@ -287,15 +279,13 @@ Receiver parseReceiver(TomlTable table, std::size_t number, Names& taken, const 
 }
 
 void parsePhotons(TomlTable& table, CausticsSettings& caustics) {
-    std::array<std::int64_t, 2> grid = {caustics.photonGrid.x, caustics.photonGrid.y};
-    table.wholeNumbers("photon_grid", grid, 1, 8192);
-    caustics.photonGrid = {static_cast<int>(grid[0]), static_cast<int>(grid[1])};
+    table.wholeNumbers("photon_grid", caustics.photonGrid, 8192);
     constexpr std::string_view overs[] = {"receiver", "water"};
     caustics.photonGridOver = static_cast<PhotonGridOver>(table.choice("photon_grid_over", overs));
-    parseWhole(table, "photon_subdivision", caustics.photonSubdivision, 1, 16);
+    table.wholeNumber("photon_subdivision", caustics.photonSubdivision, 1, 16);
     table.vector("splat_size", caustics.splatSize, {.min = 1, .max = 256, .text = " from 1 to 256"});
     if (caustics.splatSize.x > caustics.splatSize.y) table.fail("splat_size", "the smaller size first");
-    parseWhole(table, "filter_taps", caustics.filterTaps, 0, 32);
+    table.wholeNumber("filter_taps", caustics.filterTaps, 0, 32);
     table.number("filter_radius", caustics.filterRadius, {.min = 0, .max = 64, .text = " from 0 to 64"});
 }
 
@@ -306,17 +296,17 @@ CausticsSettings parseCaustics(TomlTable table) {
         if (method != caustics.method) methods.push_back(methodName(method));
     caustics.method =
         *methodFromName(methods[table.choice("method", methods, " (the methods there are so far)")]);
-    parseWhole(table, "map_size", caustics.mapSize, 1, 16384);
+    table.wholeNumber("map_size", caustics.mapSize, 1, 16384);
     table.number("texels_per_pixel", caustics.texelsPerPixel, {.min = 0, .max = 64, .text = " from 0 to 64"});
     table.number("refresh", caustics.refresh, {.min = 0, .max = 1000, .text = " from 0 to 1000"});
-    parseWhole(table, "planes", caustics.planes, 1, 4096);
+    table.wholeNumber("planes", caustics.planes, 1, 4096);
     std::vector<std::string_view> fills{fillName(caustics.fill)};
     for (const Fill fill : allFills())
         if (fill != caustics.fill) fills.push_back(fillName(fill));
     caustics.fill = *fillFromName(fills[table.choice("fill", fills)]);
     constexpr std::string_view slicings[] = {"automatic", "levels"};
     caustics.slicing = static_cast<Slicing>(table.choice("slicing", slicings));
-    parseWhole(table, "depth_levels", caustics.depthLevels, 1, 4096);
+    table.wholeNumber("depth_levels", caustics.depthLevels, 1, 4096);
     table.number("threshold", caustics.threshold,
                  {.min = 0, .max = 1, .openMin = true, .text = " > 0 and <= 1"});
     parsePhotons(table, caustics);
@@ -339,16 +329,14 @@ GodraySettings parseGodrays(TomlTable table) {
     godrays.method = allGodrayMethods()[table.choice("method", methods)];
     constexpr std::string_view phases[] = {"henyey-greenstein", "schlick"};
     godrays.phase = static_cast<Phase>(table.choice("phase", phases));
-    std::array<std::int64_t, 2> grid = {godrays.grid.x, godrays.grid.y};
-    table.wholeNumbers("grid", grid, 1, 4096);
-    godrays.grid = {static_cast<int>(grid[0]), static_cast<int>(grid[1])};
-    parseWhole(table, "subdivision", godrays.subdivision, 1, 16);
-    parseWhole(table, "planes", godrays.planes, 1, 1024);
-    parseWhole(table, "steps", godrays.steps, 1, 4096);
-    parseWhole(table, "sub_volumes", godrays.subVolumes, 0, 256);
+    table.wholeNumbers("grid", godrays.grid, 4096);
+    table.wholeNumber("subdivision", godrays.subdivision, 1, 16);
+    table.wholeNumber("planes", godrays.planes, 1, 1024);
+    table.wholeNumber("steps", godrays.steps, 1, 4096);
+    table.wholeNumber("sub_volumes", godrays.subVolumes, 0, 256);
     table.number("scale", godrays.scale, {.min = 0, .max = 1, .openMin = true, .text = " > 0 and <= 1"});
     table.number("line_width", godrays.lineWidth, {.min = 0.5, .max = 256, .text = " from 0.5 to 256"});
-    parseWhole(table, "filter_taps", godrays.filterTaps, 0, 32);
+    table.wholeNumber("filter_taps", godrays.filterTaps, 0, 32);
     table.number("filter_radius", godrays.filterRadius, {.min = 0, .max = 64, .text = " from 0 to 64"});
     table.finish();
     return godrays;

@@ -1,6 +1,7 @@
 #include "io/TomlReader.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <sstream>
 
@@ -228,6 +229,18 @@ void TomlTable::wholeNumbers(std::string_view key, std::span<std::int64_t> value
         good = toWholeNumber(*array->get(i), min, max, values[i]);
     if (!good)
         fail(key, expectedNumbers(values.size(), "whole number", fmt::format(" from {} to {}", min, max)));
+}
+
+void TomlTable::wholeNumber(std::string_view key, int& value, int min, int max) {
+    std::int64_t number = value;
+    wholeNumber(key, number, min, max);
+    value = static_cast<int>(number);
+}
+
+void TomlTable::wholeNumbers(std::string_view key, glm::ivec2& values, int max) {
+    std::array<std::int64_t, 2> numbers = {values.x, values.y};
+    wholeNumbers(key, numbers, 1, max);
+    values = {static_cast<int>(numbers[0]), static_cast<int>(numbers[1])};
 }
 
 void TomlTable::text(std::string_view key, std::string& value, std::string_view expected) {

@@ -65,6 +65,9 @@ class TomlTable {
     void wholeNumber(std::string_view key, std::int64_t& value, std::int64_t min, std::int64_t max);
     void wholeNumbers(std::string_view key, std::span<std::int64_t> values, std::int64_t min,
                       std::int64_t max);
+    void wholeNumber(std::string_view key, int& value, int min, int max);
+    /// Both at least 1.
+    void wholeNumbers(std::string_view key, glm::ivec2& values, int max);
     void text(std::string_view key, std::string& value, std::string_view expected);
 
     /// The place of the key's text in `names`; 0, the default, if the key is absent.
