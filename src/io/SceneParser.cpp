@@ -280,8 +280,8 @@ Receiver parseReceiver(TomlTable table, std::size_t number, Names& taken, const 
 
 void parsePhotons(TomlTable& table, CausticsSettings& caustics) {
     table.wholeNumbers("photon_grid", caustics.photonGrid, 8192);
-    constexpr std::string_view overs[] = {"receiver", "water"};
-    caustics.photonGridOver = static_cast<PhotonGridOver>(table.choice("photon_grid_over", overs));
+    caustics.photonGridOver =
+        static_cast<PhotonGridOver>(table.choice("photon_grid_over", photonGridOverNames));
     table.wholeNumber("photon_subdivision", caustics.photonSubdivision, 1, 16);
     table.vector("splat_size", caustics.splatSize, {.min = 1, .max = 256, .text = " from 1 to 256"});
     if (caustics.splatSize.x > caustics.splatSize.y) table.fail("splat_size", "the smaller size first");

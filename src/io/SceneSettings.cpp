@@ -121,7 +121,6 @@ void addReceiver(Table table, const Receiver& receiver) {
 
 void addCaustics(Table table, const CausticsSettings& caustics) {
     constexpr std::string_view slicings[] = {"automatic", "levels"};
-    constexpr std::string_view photonGridOvers[] = {"receiver", "water"};
     table.add("method", methodName(caustics.method));
     table.add("map_size", caustics.mapSize);
     table.add("texels_per_pixel", caustics.texelsPerPixel);
@@ -132,7 +131,7 @@ void addCaustics(Table table, const CausticsSettings& caustics) {
     table.add("depth_levels", caustics.depthLevels);
     table.add("threshold", caustics.threshold);
     table.add("photon_grid", caustics.photonGrid);
-    table.add("photon_grid_over", photonGridOvers[std::size_t(caustics.photonGridOver)]);
+    table.add("photon_grid_over", photonGridOverNames[std::size_t(caustics.photonGridOver)]);
     table.add("photon_subdivision", caustics.photonSubdivision);
     table.add("splat_size", caustics.splatSize);
     table.add("filter_taps", caustics.filterTaps);

@@ -121,6 +121,9 @@ enum class Fill { Drawn, OnePass };
 /// start from, as in the paper.
 enum class PhotonGridOver { Receiver, Water };
 
+/// As scene files have them, by PhotonGridOver.
+inline constexpr std::string_view photonGridOverNames[] = {"receiver", "water"};
+
 struct CausticsSettings {
     Method method = Method::ExactBeam;
     int mapSize = 512;         ///< texels on the longer side of the box, [1, 16384]

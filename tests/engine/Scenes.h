@@ -35,6 +35,13 @@ inline Light sunAt(double degrees, const char* name = "sun") {
     return light;
 }
 
+inline Light lampAt(const glm::dvec3& position) {
+    Light light;
+    light.type = LightType::Point;
+    light.position = position;
+    return light;
+}
+
 /// A ball above a floor that is 3 m wide, under flat water at 0 and a sun this far from vertical.
 inline Scene floorPastSphere(double degrees) {
     Scene scene;

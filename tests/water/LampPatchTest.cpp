@@ -4,29 +4,24 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/Scenes.h"
+
 namespace limpid {
 namespace {
-
-Light lampAt(const glm::dvec3& position) {
-    Light lamp;
-    lamp.type = LightType::Point;
-    lamp.position = position;
-    return lamp;
-}
 
 const WaterPatch patch{{0.3, -0.2}, {4, 3}, {256, 100}, {}};
 
 TEST(LampPatch, nothingWhereTheGridIsFineEnough) {
     // Quads are 0.03 m wide.
-    EXPECT_FALSE(lampPatch(lampAt({0, 0.25, 0}), {}, patch));
+    EXPECT_FALSE(lampPatch(scenes::lampAt({0, 0.25, 0}), {}, patch));
     EXPECT_FALSE(lampPatch(Light{}, {}, patch));
-    EXPECT_FALSE(lampPatch(lampAt({0, -0.25, 0}), {}, patch)) << "a lamp under water has no beams";
+    EXPECT_FALSE(lampPatch(scenes::lampAt({0, -0.25, 0}), {}, patch)) << "a lamp under water has no beams";
 }
 
 TEST(LampPatch, noQuadIsWiderThanTheLampSeesItTurn) {
     for (const double height : {0.1, 0.01, 0.001})
         for (const glm::dvec2 foot : {glm::dvec2(0.003, 0.002), glm::dvec2(-3, 1)}) {
-            const auto fine = lampPatch(lampAt({foot.x, height, foot.y}), {}, patch);
+            const auto fine = lampPatch(scenes::lampAt({foot.x, height, foot.y}), {}, patch);
             if (!fine) {
                 // Its foot is far beside the patch.
                 EXPECT_EQ(foot.x, -3);
@@ -50,14 +45,15 @@ TEST(LampPatch, noQuadIsWiderThanTheLampSeesItTurn) {
 // Halving leaves quads of more than half of what is allowed, so that a factor of ten in height takes no more
 // lines than 2 sides · 2 / lampTurn · ln 10, and those within lampTurn of the height.
 TEST(LampPatch, linesGoWithTheLogarithmOfTheHeight) {
-    int before = lampPatch(lampAt({0, 0.01, 0}), {}, patch)->grid.x;
+    int before = lampPatch(scenes::lampAt({0, 0.01, 0}), {}, patch)->grid.x;
     for (const double height : {1e-3, 1e-4, 1e-5}) {
-        const int now = lampPatch(lampAt({0, height, 0}), {}, patch)->grid.x;
+        const int now = lampPatch(scenes::lampAt({0, height, 0}), {}, patch)->grid.x;
         EXPECT_GT(now, before);
         EXPECT_LE(now - before, 4 / lampTurn * std::log(10) + 1);
         before = now;
     }
-    EXPECT_LE(lampPatch(lampAt({0, 1e-300, 0}), {}, patch)->grid.x, 256 + 4 / lampTurn * std::log(0x1p16));
+    EXPECT_LE(lampPatch(scenes::lampAt({0, 1e-300, 0}), {}, patch)->grid.x,
+              256 + 4 / lampTurn * std::log(0x1p16));
 }
 
 } // namespace
