@@ -80,28 +80,27 @@ class KilledGLTest : public testing::TestWithParam<int> {
         };
     }
 
+    /// Ends `command`, which a map size is still to be added to, while it writes `name`. Small maps stand
+    /// there before; large ones take a while to write.
+    void expectTheOneBefore(const std::string& command, const std::string& name) {
+        ASSERT_EQ(run(command + "48").code, 0);
+        const auto before = contents(folder.path());
+        expectDies(command + "512", writesIn(name));
+        EXPECT_TRUE(contents(folder.path()) == before);
+    }
+
     test::TempFolder folder;
 };
 
-// Small maps stand there before; large ones take a while to write.
 const std::string maps = " --quiet --set water.grid=[16,16] --map-size ";
-const std::string small = "48", large = "512";
 
 TEST_P(KilledGLTest, aBakeLeavesTheOneBefore) {
-    const std::string command = "bake " + box + " -o " + path("maps") + maps;
-    ASSERT_EQ(run(command + small).code, 0);
-    const auto before = contents(folder.path());
-    expectDies(command + large, writesIn("maps"));
-    EXPECT_TRUE(contents(folder.path()) == before);
+    expectTheOneBefore("bake " + box + " -o " + path("maps") + maps, "maps");
 }
 
 #ifdef LIMPID_WITH_REFERENCE
 TEST_P(KilledGLTest, aReferenceLeavesTheOneBefore) {
-    const std::string command = "reference " + box + " --photons 20000 -o " + path("truth") + maps;
-    ASSERT_EQ(run(command + small).code, 0);
-    const auto before = contents(folder.path());
-    expectDies(command + large, writesIn("truth"));
-    EXPECT_TRUE(contents(folder.path()) == before);
+    expectTheOneBefore("reference " + box + " --photons 20000 -o " + path("truth") + maps, "truth");
 }
 
 TEST_P(KilledGLTest, aProfileLeavesTheResultsBefore) {
