@@ -16,24 +16,56 @@ namespace {
 constexpr int samplerClamp = 33071;
 constexpr int samplerMirror = 33648;
 constexpr int samplerNearest = 9728;
+constexpr char transmissionExtension[] = "KHR_materials_transmission";
 
-/// A texture as a material refers to it: tinygltf has two types for that.
+/// A texture as a material refers to it, in the core format or in an extension.
 struct TextureUse {
     std::string place;
-    int index;
-    int texCoord;
-    const tinygltf::ExtensionMap& extensions;
+    int index = -1;
+    int texCoord = 0;
+    const tinygltf::Value* transform = nullptr; ///< KHR_texture_transform; null for none
 };
 
-TextureUse baseColorUse(const GltfFile& file, std::size_t material) {
-    const auto& info = file.model.materials[material].pbrMetallicRoughness.baseColorTexture;
-    return {fmt::format("materials[{}].pbrMetallicRoughness.baseColorTexture", material), info.index,
-            info.texCoord, info.extensions};
+template <typename Info>
+TextureUse coreUse(std::string place, const Info& info) {
+    return {std::move(place), info.index, info.texCoord,
+            extensionObject(info.extensions, "KHR_texture_transform")};
 }
 
-TextureUse normalUse(const GltfFile& file, std::size_t material) {
-    const auto& info = file.model.materials[material].normalTexture;
-    return {fmt::format("materials[{}].normalTexture", material), info.index, info.texCoord, info.extensions};
+/// Member `key` of an extension's object, the extension's name in `place`.
+TextureUse extensionUse(const GltfFile& file, const std::string& place, const tinygltf::Value& object,
+                        const char* key) {
+    const tinygltf::Value& info = object.Get(key);
+    TextureUse use{place + "." + key};
+    if (!info.IsObject()) return use;
+    use.index = indexMember(file, use.place, info, "index");
+    use.texCoord = std::max(indexMember(file, use.place, info, "texCoord"), 0);
+    const tinygltf::Value& transform = info.Get("extensions").Get("KHR_texture_transform");
+    if (transform.IsObject()) use.transform = &transform;
+    return use;
+}
+
+/// The textures of a material that are used, each with index -1 where there is none.
+struct TextureUses {
+    TextureUse color, normal, transmission, emission;
+};
+
+std::string materialPlace(std::size_t material) {
+    return fmt::format("materials[{}]", material);
+}
+
+TextureUses usesOf(const GltfFile& file, std::size_t index) {
+    const tinygltf::Material& material = file.model.materials[index];
+    const std::string place = materialPlace(index);
+    TextureUses uses{coreUse(place + ".pbrMetallicRoughness.baseColorTexture",
+                             material.pbrMetallicRoughness.baseColorTexture),
+                     coreUse(place + ".normalTexture", material.normalTexture),
+                     {},
+                     coreUse(place + ".emissiveTexture", material.emissiveTexture)};
+    if (const auto* object = extensionObject(material.extensions, transmissionExtension))
+        uses.transmission = extensionUse(file, fmt::format("{}.{}", place, transmissionExtension), *object,
+                                         "transmissionTexture");
+    return uses;
 }
 
 /// Null without a texture.
@@ -70,24 +102,6 @@ float finiteFactor(const GltfFile& file, const std::string& place, double factor
     return static_cast<float>(factor);
 }
 
-Material convert(const GltfFile& file, std::size_t index) {
-    const tinygltf::Material& source = file.model.materials[index];
-    const std::string place = fmt::format("materials[{}]", index);
-    Material material;
-    for (int c = 0; c < 4; ++c) {
-        const double factor = source.pbrMetallicRoughness.baseColorFactor.at(static_cast<std::size_t>(c));
-        const float value = finiteFactor(file, place + ".pbrMetallicRoughness.baseColorFactor", factor);
-        material.baseColor[c] = std::clamp(value, 0.0f, 1.0f);
-    }
-    // A later version's modes count as the default, as glTF wants it of versions with the same first number.
-    if (source.alphaMode == "MASK") material.alphaMode = AlphaMode::Mask;
-    if (source.alphaMode == "BLEND") material.alphaMode = AlphaMode::Blend;
-    material.alphaCutoff = std::max(finiteFactor(file, place + ".alphaCutoff", source.alphaCutoff), 0.0f);
-    material.doubleSided = source.doubleSided;
-    material.normalScale = finiteFactor(file, place + ".normalTexture.scale", source.normalTexture.scale);
-    return material;
-}
-
 /// Member `key` of an extension's object: `values.size()` finite numbers, or nothing.
 void readNumbers(const GltfFile& file, const std::string& place, const tinygltf::Value& object,
                  const char* key, std::span<double> values) {
@@ -104,9 +118,50 @@ void readNumbers(const GltfFile& file, const std::string& place, const tinygltf:
         file.fail(place + "." + key, fmt::format("{} finite number(s)", values.size()), "something else");
 }
 
+/// Member `key` of an extension that a material may have, `value` without it.
+double extensionFactor(const GltfFile& file, std::size_t index, const char* extension, const char* key,
+                       double value) {
+    double numbers[1] = {value};
+    if (const auto* object = extensionObject(file.model.materials[index].extensions, extension))
+        readNumbers(file, fmt::format("{}.{}", materialPlace(index), extension), *object, key, numbers);
+    return numbers[0];
+}
+
+void convertLight(const GltfFile& file, std::size_t index, Material& material) {
+    const double transmission = extensionFactor(file, index, transmissionExtension, "transmissionFactor", 0);
+    material.transmission = static_cast<float>(std::clamp(transmission, 0.0, 1.0));
+    const double strength =
+        extensionFactor(file, index, "KHR_materials_emissive_strength", "emissiveStrength", 1);
+    const std::vector<double>& emission = file.model.materials[index].emissiveFactor;
+    for (int c = 0; emission.size() == 3 && c < 3; ++c) {
+        const std::string place = materialPlace(index) + ".emissiveFactor";
+        const float value = finiteFactor(file, place, emission[static_cast<std::size_t>(c)] * strength);
+        material.emission[c] = std::max(value, 0.0f);
+    }
+}
+
+Material convert(const GltfFile& file, std::size_t index) {
+    const tinygltf::Material& source = file.model.materials[index];
+    const std::string place = materialPlace(index);
+    Material material;
+    for (int c = 0; c < 4; ++c) {
+        const double factor = source.pbrMetallicRoughness.baseColorFactor.at(static_cast<std::size_t>(c));
+        const float value = finiteFactor(file, place + ".pbrMetallicRoughness.baseColorFactor", factor);
+        material.baseColor[c] = std::clamp(value, 0.0f, 1.0f);
+    }
+    // A later version's modes count as the default, as glTF wants it of versions with the same first number.
+    if (source.alphaMode == "MASK") material.alphaMode = AlphaMode::Mask;
+    if (source.alphaMode == "BLEND") material.alphaMode = AlphaMode::Blend;
+    material.alphaCutoff = std::max(finiteFactor(file, place + ".alphaCutoff", source.alphaCutoff), 0.0f);
+    material.doubleSided = source.doubleSided;
+    material.normalScale = finiteFactor(file, place + ".normalTexture.scale", source.normalTexture.scale);
+    convertLight(file, index, material);
+    return material;
+}
+
 TextureMapping mappingOf(const GltfFile& file, const TextureUse& use) {
     TextureMapping mapping{use.texCoord};
-    const tinygltf::Value* object = extensionObject(use.extensions, "KHR_texture_transform");
+    const tinygltf::Value* object = use.transform;
     if (!object) return mapping;
     const std::string place = use.place + ".KHR_texture_transform";
     double offset[2] = {0, 0}, scale[2] = {1, 1}, rotation[1] = {0}, texCoord[1] = {double(use.texCoord)};
@@ -123,32 +178,52 @@ TextureMapping mappingOf(const GltfFile& file, const TextureUse& use) {
     return mapping;
 }
 
+/// The use that says where a material's `uvs` lie: the first of its textures that has a picture.
+const TextureUse& uvsOf(const GltfFile& file, const TextureUses& uses) {
+    for (const TextureUse* use : {&uses.color, &uses.transmission, &uses.emission})
+        if (imageOf(file, *use) >= 0) return *use;
+    return imageOf(file, uses.normal) >= 0 ? uses.normal : uses.color;
+}
+
+/// A texture on a material's `uvs`: its place in the mesh's images, -1 if there is none.
+int addOnUvs(const GltfFile& file, const TextureUses& uses, const TextureUse& use, bool srgb,
+             ImageSet& images) {
+    const int image = imageOf(file, use);
+    if (image < 0) return -1;
+    const TextureUse& main = uvsOf(file, uses);
+    if (mappingOf(file, use) == mappingOf(file, main)) return images.add(image, srgb);
+    fmt::print(stderr, "{}: {}: warning: texture left out: it lies on other coordinates than {}\n", file.name,
+               use.place, main.place);
+    return -1;
+}
+
 /// The textures of a material that is in use.
 void addTextures(const GltfFile& file, std::size_t index, ImageSet& images, Material& material) {
-    const TextureUse color = baseColorUse(file, index), normal = normalUse(file, index);
-    const int colorImage = imageOf(file, color), normalImage = imageOf(file, normal);
-    if (colorImage >= 0) material.baseColorImage = images.add(colorImage, true);
+    const TextureUses uses = usesOf(file, index);
+    const int normalImage = imageOf(file, uses.normal);
+    material.baseColorImage = addOnUvs(file, uses, uses.color, true, images);
+    material.transmissionImage = addOnUvs(file, uses, uses.transmission, false, images);
+    material.emissionImage = addOnUvs(file, uses, uses.emission, true, images);
     if (normalImage >= 0) material.normalImage = images.add(normalImage, false);
-    if (const tinygltf::Sampler* sampler = samplerOf(file, color)) {
-        material.baseColorWrapS = wrapOf(sampler->wrapS);
-        material.baseColorWrapT = wrapOf(sampler->wrapT);
-        material.baseColorNearest = sampler->magFilter == samplerNearest;
-    }
-    if (const tinygltf::Sampler* sampler = samplerOf(file, normal)) {
-        material.normalWrapS = wrapOf(sampler->wrapS);
-        material.normalWrapT = wrapOf(sampler->wrapT);
-    }
+    const auto wrap = [&](const TextureUse& use, Wrap& s, Wrap& t) {
+        const tinygltf::Sampler* sampler = samplerOf(file, use);
+        if (sampler) s = wrapOf(sampler->wrapS), t = wrapOf(sampler->wrapT);
+    };
+    wrap(uses.color, material.baseColorWrapS, material.baseColorWrapT);
+    wrap(uses.normal, material.normalWrapS, material.normalWrapT);
+    wrap(uses.transmission, material.transmissionWrapS, material.transmissionWrapT);
+    wrap(uses.emission, material.emissionWrapS, material.emissionWrapT);
+    const tinygltf::Sampler* sampler = samplerOf(file, uses.color);
+    material.baseColorNearest = sampler && sampler->magFilter == samplerNearest;
 }
 
 } // namespace
 
 TextureMappings textureMappings(const GltfFile& file, int material) {
     if (material < 0 || static_cast<std::size_t>(material) >= file.model.materials.size()) return {};
-    const auto index = static_cast<std::size_t>(material);
-    const TextureUse color = baseColorUse(file, index), normal = normalUse(file, index);
-    TextureMappings mappings{mappingOf(file, color), mappingOf(file, normal)};
-    if (imageOf(file, normal) < 0) mappings.normal = mappings.color;
-    if (imageOf(file, color) < 0) mappings.color = mappings.normal;
+    const TextureUses uses = usesOf(file, static_cast<std::size_t>(material));
+    TextureMappings mappings{mappingOf(file, uvsOf(file, uses)), mappingOf(file, uses.normal)};
+    if (imageOf(file, uses.normal) < 0) mappings.normal = mappings.color;
     return mappings;
 }
 

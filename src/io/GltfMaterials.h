@@ -7,9 +7,9 @@
 namespace limpid::io {
 
 /// Fills `mesh.materials` with the file's materials in their order, after them the format's default (white)
-/// if a part uses it or there are no others, and `mesh.images` with the base colour textures and normal maps
-/// of those that parts use. An image that is missing or cannot be decoded costs one line on stderr, and its
-/// materials do without it. Throws InputError for an index or factor that breaks the format.
+/// if a part uses it or there are no others, and `mesh.images` with the textures of those that parts use. An
+/// image that is missing or cannot be decoded costs one line on stderr, and its materials do without it.
+/// Throws InputError for an index or factor that breaks the format.
 void addMaterials(const GltfFile& file, Mesh& mesh);
 
 /// The material index that `addMaterials` will give to a primitive. Throws InputError.
@@ -23,7 +23,8 @@ struct TextureMapping {
     bool operator==(const TextureMapping&) const = default;
 };
 
-/// Of a material's base colour texture and normal map; of both as of the one that it has.
+/// Of a material's base colour texture, which transmission and emission share, and its normal map; where it
+/// has one of them alone, both as that one.
 struct TextureMappings {
     TextureMapping color, normal;
 };

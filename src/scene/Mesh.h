@@ -21,7 +21,7 @@ enum class Wrap { Repeat, Mirror, Clamp };
 /// What alpha means: nothing; a hole below the material's cutoff; the share of the surface's own colour.
 enum class AlphaMode { Opaque, Mask, Blend };
 
-/// How a surface looks. Flux does not depend on it; the picture does.
+/// How a surface looks, and how much light goes through it.
 struct Material {
     glm::vec4 baseColor{0.8f, 0.8f, 0.8f, 1.0f}; ///< linear RGB and alpha, times texture and vertex colour
     int baseColorImage = -1;                     ///< index into Mesh::images, -1 for none
@@ -35,6 +35,14 @@ struct Material {
     float normalScale = 1;    ///< times x and y of the map's normals
     Wrap normalWrapS = Wrap::Repeat;
     Wrap normalWrapT = Wrap::Repeat;
+    float transmission = 0;     ///< share of the light that enters the surface and goes on behind it, [0, 1]
+    int transmissionImage = -1; ///< its red channel times `transmission`, on the mesh's uvs; -1 for none
+    Wrap transmissionWrapS = Wrap::Repeat;
+    Wrap transmissionWrapT = Wrap::Repeat;
+    glm::vec3 emission{0};  ///< radiance of its own, W/(m² sr), linear RGB, >= 0; lights nothing else
+    int emissionImage = -1; ///< colours times `emission`, on the mesh's uvs; -1 for none
+    Wrap emissionWrapS = Wrap::Repeat;
+    Wrap emissionWrapT = Wrap::Repeat;
 };
 
 /// A run of triangles that share a material.

@@ -141,6 +141,49 @@ TEST(GltfMaterialTest, Samplers) {
     EXPECT_TRUE(material.baseColorNearest);
 }
 
+TEST(GltfMaterialTest, TransmissionIsAFactorTimesTheTexturesRed) {
+    const json factor = {{"KHR_materials_transmission", {{"transmissionFactor", 0.75}}}};
+    Material material = load(texturedGltf({{"extensions", factor}})).materials[0];
+    EXPECT_EQ(material.transmission, 0.75f);
+    EXPECT_EQ(material.transmissionImage, -1);
+    EXPECT_EQ(load(texturedGltf(json::object())).materials[0].transmission, 0) << "without the extension";
+    EXPECT_EQ(load(texturedGltf({{"extensions", {{"KHR_materials_transmission", json::object()}}}}))
+                  .materials[0]
+                  .transmission,
+              0)
+        << "the extension's default";
+
+    SmallGltf gltf = texturedGltf({{"extensions", factor}});
+    json& extension = gltf.json["materials"][0]["extensions"]["KHR_materials_transmission"];
+    extension["transmissionTexture"] = {{"index", 0}, {"texCoord", 1}};
+    gltf.json["textures"][0]["sampler"] = 0;
+    gltf.json["samplers"] = {{{"wrapS", 33071}, {"wrapT", 33648}}};
+    const Mesh mesh = load(gltf);
+    material = mesh.materials[0];
+    ASSERT_EQ(material.transmissionImage, 0);
+    EXPECT_FALSE(mesh.images[0].srgb) << "a share is no colour";
+    EXPECT_EQ(material.transmissionWrapS, Wrap::Clamp);
+    EXPECT_EQ(material.transmissionWrapT, Wrap::Mirror);
+    EXPECT_EQ(mesh.uvs[1], glm::vec2(6, 6)) << "the only texture has the mesh's uvs";
+
+    extension["transmissionTexture"]["index"] = 1;
+    EXPECT_THAT(loadError(gltf),
+                HasSubstr("materials[0].KHR_materials_transmission.transmissionTexture.index"));
+    extension = {{"transmissionFactor", "all"}};
+    EXPECT_THAT(loadError(gltf), HasSubstr("KHR_materials_transmission.transmissionFactor: expected"));
+}
+
+TEST(GltfMaterialTest, EmissionIsAFactorTimesItsStrength) {
+    const Mesh mesh = load(
+        texturedGltf({{"emissiveFactor", {1, 0.5, 0}},
+                      {"emissiveTexture", {{"index", 0}}},
+                      {"extensions", {{"KHR_materials_emissive_strength", {{"emissiveStrength", 4}}}}}}));
+    EXPECT_EQ(mesh.materials[0].emission, glm::vec3(4, 2, 0));
+    ASSERT_EQ(mesh.materials[0].emissionImage, 0);
+    EXPECT_TRUE(mesh.images[0].srgb);
+    EXPECT_EQ(load(texturedGltf(json::object())).materials[0].emission, glm::vec3(0));
+}
+
 struct NormalMapCase {
     const char* name;
     json color, normal; ///< texture infos; null for none
