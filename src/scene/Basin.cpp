@@ -63,7 +63,7 @@ std::vector<Face> facesOf(const Mesh& mesh) {
     faces.reserve(mesh.triangleCount());
     for (const MeshPart& part : mesh.parts) {
         const Material& material = mesh.materials[std::size_t(part.material)];
-        const bool clear = material.alphaMode == AlphaMode::Blend;
+        const bool clear = material.alphaMode == AlphaMode::Blend || material.transmission > 0;
         for (std::size_t i = 0; i + 2 < part.indexCount; i += 3)
             faces.emplace_back(mesh, part.firstIndex + i, clear);
     }
