@@ -55,7 +55,7 @@ void SceneGeometry::addReceiver(const Receiver& receiver, const glm::dvec3& orig
     auto shape = std::make_unique<Shape>();
     shape->mesh = receiver.mesh;
     shape->sheets = Sheets(*receiver.mesh);
-    _sheer = _sheer || !shape->sheets.none();
+    _translucent = _translucent || !shape->sheets.none();
     for (const glm::dvec3& p : receiver.mesh->positions) {
         shape->positions.push_back(receiver.toWorld(p) - origin);
         _top = std::max(_top, shape->positions.back().y);
@@ -141,7 +141,7 @@ Hit SceneGeometry::next(const glm::dvec3& from, const glm::dvec3& direction, con
 glm::dvec3 SceneGeometry::through(const glm::dvec3& from, const glm::dvec3& direction,
                                   double distance) const {
     if (!blocked(from, direction, distance)) return glm::dvec3(1);
-    if (!_sheer) return glm::dvec3(0);
+    if (!_translucent) return glm::dvec3(0);
     glm::dvec3 share(1);
     Hit hit = first(from, direction);
     for (int i = 0; hit && hit.distance < distance && share != glm::dvec3(0); ++i) {

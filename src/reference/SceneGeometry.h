@@ -69,7 +69,7 @@ class SceneGeometry {
     std::vector<std::unique_ptr<Shape>> _shapes;
     glm::dvec3 _middle{0}; ///< what Embree's places are relative to, m from the origin
     double _top = -1e300;
-    bool _sheer = false; ///< some face lets light through
+    bool _translucent = false; ///< some face lets light through
 };
 
 } // namespace limpid::reference

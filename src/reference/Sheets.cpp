@@ -48,7 +48,7 @@ glm::vec4 sampled(const Mesh& mesh, int index, const Sampling& how, const glm::v
 } // namespace
 
 Sheets::Sheets(const Mesh& mesh) {
-    if (std::none_of(mesh.materials.begin(), mesh.materials.end(), isSheer)) return;
+    if (std::none_of(mesh.materials.begin(), mesh.materials.end(), isTranslucent)) return;
     _materials.assign(mesh.triangleCount(), 0);
     for (const MeshPart& part : mesh.parts)
         std::fill_n(_materials.begin() + part.firstIndex / 3, part.indexCount / 3, part.material);
@@ -57,7 +57,7 @@ Sheets::Sheets(const Mesh& mesh) {
 glm::vec3 Sheets::transmittance(const Mesh& mesh, std::uint32_t face, const glm::vec2& place) const {
     if (none()) return glm::vec3(0);
     const Material& material = mesh.materials[std::size_t(_materials[face])];
-    if (!isSheer(material)) return glm::vec3(0);
+    if (!isTranslucent(material)) return glm::vec3(0);
     const glm::vec3 weights(1 - place.x - place.y, place);
     glm::vec2 uv(0);
     glm::vec4 color(0);

@@ -47,7 +47,7 @@ struct Material {
 
 /// Whether light may pass a material's faces: through cut-outs' holes, or all of what is blended or
 /// transmissive.
-inline bool isSheer(const Material& material) {
+inline bool isTranslucent(const Material& material) {
     return material.alphaMode != AlphaMode::Opaque || material.transmission > 0;
 }
 
