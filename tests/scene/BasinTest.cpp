@@ -104,6 +104,16 @@ TEST(Basin, IsFoundWhereWaterStays) {
     }
 }
 
+TEST(Basin, TransmissiveWaterIsWaterToo) {
+    Mesh mesh = Builder().pool().sheet({-2, -1}, {2, 1}, -0.2, Clear).mesh;
+    mesh.materials[Clear] = {};
+    EXPECT_FALSE(findBasin(mesh)) << "an opaque sheet is a lid";
+    mesh.materials[Clear].transmission = 1;
+    const auto basin = findBasin(mesh);
+    ASSERT_TRUE(basin && basin->surface);
+    EXPECT_NEAR(*basin->surface, -0.2, 1e-9);
+}
+
 TEST(Basin, ItsDepthIsTheMean) {
     EXPECT_NEAR(findBasin(Builder().pool().mesh)->depth, 1.2, 0.03);
     // A dome of r^4: 1 - 1/3 of its depth in the mean.
