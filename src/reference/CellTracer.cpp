@@ -52,8 +52,7 @@ void CellTracer::follow(Traced& traced) const {
     const Ray& ray = traced.ray;
     traced.landings.clear();
     traced.fate = Fate::Dark;
-    if (!ray.facing) return;
-    traced.lit = _scene.shade.lit(*_source, ray.from);
+    traced.lit = ray.facing ? _scene.shade.lit(*_source, ray.from) : glm::dvec3(0);
     if (traced.lit == glm::dvec3(0)) return;
     traced.fate = Fate::Missed;
     Hit hit = _scene.geometry.first(ray.from, ray.direction);
