@@ -14,6 +14,7 @@ layout(location = 3) uniform vec3 strength;    // of a light that comes straight
 layout(location = 4) uniform int way;          // straight, refracted or mirrored
 layout(location = 5) uniform int sheerSide;    // 0: what hides all behind it; of what is blended with that, 1: faces
                                                // seen from the front, -1: from the back
+layout(location = 19) uniform float transmission; // of what is blended
 layout(location = 0) out vec4 outRadiance;
 layout(location = 1) out float outMetres;
 
@@ -89,7 +90,8 @@ void main() {
     vec3 face = fragmentIn.faceNormal;
     vec3 shading = shadingNormal(face);
     float turned = dot(face, view) < 0.0 ? -1.0 : 1.0;
-    float alpha = sheerSide != 0 ? baseColor().a : 1.0;
+    // A sheet that lets light through shows what is behind it by as much.
+    float alpha = sheerSide != 0 ? baseColor().a * (1.0 - transmission * dot(baseColor().rgb, vec3(1.0 / 3.0))) : 1.0;
     if (sheerSide != 0 && (turned != float(sheerSide) || alpha >= solidAlpha)) discard;
 
     vec3 irradiance = vec3(0.0);
@@ -100,7 +102,8 @@ void main() {
         // Flux goes by the face, the look by the shading normal.
         float smoothing = clamp(-dot(shading, boxT.xyz) / (sign(facing) * max(abs(facing), 0.05)), 0.0, 1.5);
         lit = lit && belongsToMap(face);
-        if (lit) irradiance = castIrradiance(face) * smoothing;
+        // Maps hold what the surface takes; its colour shows by all that comes to it.
+        if (lit) irradiance = castIrradiance(face) * smoothing / max(alpha, 0.02);
     }
     if (strength != vec3(0.0)) irradiance += straightIrradiance(turned * shading, face);
     vec3 albedo = baseColor().rgb;
