@@ -90,8 +90,12 @@ void main() {
     vec3 face = fragmentIn.faceNormal;
     vec3 shading = shadingNormal(face);
     float turned = dot(face, view) < 0.0 ? -1.0 : 1.0;
-    // A sheet that lets light through shows what is behind it by as much.
-    float alpha = sheerSide != 0 ? baseColor().a * (1.0 - transmission * dot(baseColor().rgb, vec3(1.0 / 3.0))) : 1.0;
+    // A sheet shows what is behind it by what it lets through (scene/Mesh.h, transmittance), in the mean of its colours; what
+    // is transmissive of it scatters nothing.
+    vec4 base = sheerSide != 0 ? clamp(baseColor(), 0.0, 1.0) : vec4(baseColor().rgb, 1.0);
+    float through = sheerSide != 0 ? transmission : 0.0;
+    vec3 taken = base.a * (1.0 - through * base.rgb);
+    float alpha = dot(taken, vec3(1.0 / 3.0));
     if (sheerSide != 0 && (turned != float(sheerSide) || alpha >= solidAlpha)) discard;
 
     vec3 irradiance = vec3(0.0);
@@ -103,10 +107,10 @@ void main() {
         float smoothing = clamp(-dot(shading, boxT.xyz) / (sign(facing) * max(abs(facing), 0.05)), 0.0, 1.5);
         lit = lit && belongsToMap(face);
         // Maps hold what the surface takes; its colour shows by all that comes to it.
-        if (lit) irradiance = castIrradiance(face) * smoothing / max(alpha, 0.02);
+        if (lit) irradiance = castIrradiance(face) * smoothing / max(taken, vec3(0.02));
     }
     if (strength != vec3(0.0)) irradiance += straightIrradiance(turned * shading, face);
-    vec3 albedo = baseColor().rgb;
+    vec3 albedo = base.rgb * (base.a * (1.0 - through) / max(alpha, 1e-3));
     vec3 radiance = albedo / pi * irradiance + (withAmbient != 0 ? albedo * ambientRadiance.rgb : vec3(0.0));
     if (underwater != 0 && way == straight) {
         vec3 left = extinction(waterExtinction.rgb, length(view));
