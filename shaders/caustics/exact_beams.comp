@@ -55,17 +55,22 @@ Pencil pencilTo(Quad quad, Leant leant, float upright) {
                     mat4x3(rayEnd(leant.p, upright), rayEnd(leant.q, upright), rayEnd(leant.r, upright), rayEnd(leant.s, upright)), vec3(0.0));
 }
 
+const float mostLean = 3.0; // depth along the map
+
 const int arrives = 0, taken = 1, unsure = 2;
 
 // What becomes of a quad's light on its way to the texels between two depths.
-int fateOf(Quad quad, int index, Leant leant, vec2 depths) {
+int fateOf(Quad quad, int index, Leant leant, Slab slab, vec2 depths) {
     if (testSurfaceShadow != 0) {
         vec2 share = vec2(lit[2 * index], lit[2 * index + 1]);
         if (share == vec2(0.0)) return taken;
         if (share != vec2(1.0)) return unsure;
     }
     if (testOcclusion == 0) return arrives;
-    Target target = targetOf(receiverNumber, length(boxShear.xy), (depths.y - depths.x) * boxT.xyz);
+    // A surface that only leans lies no further apart than this; else there is an edge, and what is on it may be in the way.
+    ivec2 span = slab.high - slab.low + 1;
+    float leans = mostLean * float(max(span.x, span.y)) * boxExtent.w;
+    Target target = targetOf(receiverNumber, boxShear.xy, min(depths.y - depths.x, leans) * boxT.xyz);
     return mayBeTaken(pencilTo(quad, leant, depths.y), target) ? unsure : arrives;
 }
 #endif
@@ -119,7 +124,7 @@ void main() {
         if (!settle(leant.p, leant.q, leant.r, leant.s, slab, depths)) return;
         onPlane = depths.y - depths.x <= flatness * boxExtent.w && texelsOf(slab) <= mostTexels;
 #ifdef SHADED
-        int fate = fateOf(quad, index, leant, depths);
+        int fate = fateOf(quad, index, leant, slab, depths);
         if (fate == taken) return;
         if (fate == unsure) list = isWide(quad) ? wide : shaded, onPlane = false;
     } else {

@@ -124,7 +124,7 @@ Target targetOf(Splat square, vec3 back) {
     vec3 lean = boxT.xyz - square.plane.rise.x * boxU.xyz - square.plane.rise.y * boxW.xyz;
     vec4 plane = vec4(lean, -dot(lean, placeOf(square, middleOf(square))));
     float near = square.asOne ? 0.0 : 2.0 * square.apart;
-    return Target(receiverNumber, length(square.plane.rise), near * normalize(back), plane, 4.0 * near + 2.0 * boxExtent.w);
+    return Target(receiverNumber, square.plane.rise, near * normalize(back), plane, 4.0 * near + 2.0 * boxExtent.w);
 }
 
 // What a photon carries to the texels of its splat that show the same surface.

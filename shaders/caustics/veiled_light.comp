@@ -34,8 +34,8 @@ void main() {
     vec2 position = texelFetch(positionMap, texel, 0).xy;
     if (position.y < 0.0) return;
     vec3 normal = octahedralDecode(texelFetch(normalMap, texel, 0).xy);
-    float along = max(abs(dot(normal, boxT.xyz)), 1e-3);
-    Target target = targetOf(receiverNumber, sqrt(max(1.0 - along * along, 0.0)) / along, vec3(0.0));
+    vec2 rise = vec2(dot(normal, boxU.xyz), dot(normal, boxW.xyz)) / max(-dot(normal, boxT.xyz), 1e-3);
+    Target target = targetOf(receiverNumber, rise, vec3(0.0));
     vec3 to = boxPoint(vec3((vec2(texel) + 0.5) * boxExtent.w, position.x));
     vec4 before = imageLoad(share, texel);
     imageStore(share, texel, vec4(before.rgb * passingSheets(entryPoint(to), to, target), before.a));

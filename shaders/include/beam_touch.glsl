@@ -21,8 +21,8 @@ layout(location = 5) uniform int receiverNumber;
 vec3 arriving(Quad quad, int index, Sheet sheet, vec2 low, vec2 high, vec4 plane, ivec2 texel, vec3 from) {
     vec3 share = vec3(testSurfaceShadow != 0 ? surfaceVisibility(from, 0.0) : 1.0);
     if (testOcclusion == 0 || share == vec3(0.0)) return share;
-    float slope = length(texelFetch(tangentPlanes, texel, 0).yz) / boxExtent.w;
-    return share * passingShare(BeamPart(sheet, low, high, plane, texel, rayStarts(quad)), index, targetOf(receiverNumber, slope, vec3(0.0)));
+    vec2 rise = texelFetch(tangentPlanes, texel, 0).yz / boxExtent.w;
+    return share * passingShare(BeamPart(sheet, low, high, plane, texel, rayStarts(quad)), index, targetOf(receiverNumber, rise, vec3(0.0)));
 }
 #endif
 

@@ -61,13 +61,13 @@ bool meets(Pencil pencil, vec3 low, vec3 high) {
 // The surface that light goes to, as far as an occluder may be that surface itself.
 struct Target {
     int receiver;
-    float slope; // of its depth in the map
+    vec2 rise;   // of its depth in the map, m/m
     vec3 near;   // so far before the rays' ends, m, it may lie itself
     vec4 plane;  // depth below a plane is dot(xyz, place) + w, m; what lies all within `same` of it is this surface
     float same;  // m; < 0: none
 };
 
-Target targetOf(int receiver, float slope, vec3 near) { return Target(receiver, slope, near, vec4(0.0), -1.0); }
+Target targetOf(int receiver, vec2 rise, vec3 near) { return Target(receiver, rise, near, vec4(0.0), -1.0); }
 
 // A triangle, and how far behind its plane light may end and not be taken by it, m.
 struct Facet {
@@ -79,17 +79,20 @@ struct Facet {
 
 const float steepestSlope = 15.0;
 
-// A texel's surface is flat, so the receiver's own triangles may lie before it by what they lean within the texel. Faces
-// that another map holds, a wall beside a floor, are no part of it. Where two receivers lie in one plane, the later one is
-// on top.
+// A texel's surface is flat, so the receiver's own triangles may lie before it by as much as they lean against it within the
+// texel. Faces that another map holds, a wall beside a floor, are no part of it, nor is the underside of what hangs over
+// it. Where two receivers lie in one plane, the later one is on top.
 float contactOf(vec3 normal, OccluderTriangle triangle, Target target) {
     float tie = 1e-2 * boxExtent.w;
     if (triangle.receiver != target.receiver) return triangle.receiver < target.receiver ? tie : -tie;
     if (!belongsToMap(normal)) return tie;
     vec3 below = vec3(dot(target.plane.xyz, triangle.a), dot(target.plane.xyz, triangle.b), dot(target.plane.xyz, triangle.c)) + target.plane.w;
     if (all(lessThanEqual(abs(below), vec3(target.same)))) return 1e30;
-    float along = abs(dot(normal, boxT.xyz)), across = sqrt(max(1.0 - along * along, 0.0));
-    return tie + 0.75 * boxExtent.w * (min(target.slope, steepestSlope) * along + across) + abs(dot(normal, target.near));
+    vec2 rise = target.rise * min(1.0, steepestSlope / max(length(target.rise), 1e-6));
+    float stretch = sqrt(1.0 + dot(rise, rise)); // of a texel on the surface
+    float cosine = abs(dot(normal, rise.x * boxU.xyz + rise.y * boxW.xyz - boxT.xyz)) / stretch;
+    if (cosine < 0.5 && dot(normal, boxT.xyz) > 0.0) return tie;
+    return tie + 0.75 * boxExtent.w * stretch * sqrt(max(1.0 - cosine * cosine, 0.0)) + abs(dot(normal, target.near));
 }
 
 // False for a triangle without an area.
