@@ -31,9 +31,10 @@ const std::map<std::string, Strings> mayInclude = {
     {"view", {"core", "gl", "scene", "water", "levelmap", "caustics"}},
     {"engine", {"core", "gl", "scene", "water", "levelmap", "caustics", "godrays", "view"}},
     {"reference", {"core", "scene", "io"}},
+    {"audit", {"core", "gl", "scene", "water", "levelmap", "engine", "reference"}},
     {"apps",
-     {"core", "gl", "scene", "io", "water", "levelmap", "caustics", "godrays", "view", "engine",
-      "reference"}},
+     {"core", "gl", "scene", "io", "water", "levelmap", "caustics", "godrays", "view", "engine", "reference",
+      "audit"}},
 };
 
 const Strings sourceFolders = {"src", "shaders", "tests", "models", "profiles/bench"};
