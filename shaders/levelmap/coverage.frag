@@ -1,9 +1,36 @@
-// Whether a level map's receiver is at a place of the map.
-// Out, R8: 1 (cleared to 0: no receiver).
+// Whether a place of a level map shows the same surface as its texel's middle.
+// In: position and normal map. Out, R8: 1 (cleared to 0: no receiver).
 #include "include/level_map_texel.glsl"
+#include "include/octahedral.glsl"
+layout(binding = 5) uniform sampler2D positionMap; // RG32F (level_map.frag)
+layout(binding = 6) uniform sampler2D normalMap;   // RG16
 layout(location = 0) out float outCovered;
+
+const float steepest = 20.0;  // m by m; a face along the axis has no depth at a place
+const float mostCrease = 4.0; // m by m between two faces within a texel; beyond, light is not shared
+
+// Depth by metre along u and w of a face.
+vec2 depthGradient(vec3 normal) {
+    float along = dot(normal, boxT.xyz);
+    float divisor = abs(along) > 1.0 / steepest ? along : (along < 0.0 ? -1.0 : 1.0) / steepest;
+    return -vec2(dot(normal, boxU.xyz), dot(normal, boxW.xyz)) / divisor;
+}
+
+// Whether the face at `local` lies where the one at the texel's middle goes on to, give or take what a crease in between
+// can make. What else a texel holds, behind a rim or beyond a crease, has no light of its own in the map.
+bool showsMiddle(vec3 local) {
+    vec2 place = local.xy / boxExtent.w;
+    ivec2 texel = ivec2(place);
+    if (any(lessThan(place, vec2(0.0))) || any(greaterThanEqual(texel, boxSize.xy))) return false;
+    vec2 position = texelFetch(positionMap, texel, 0).xy;
+    if (position.y == -1.0) return false;
+    vec2 own = depthGradient(octahedralDecode(texelFetch(normalMap, texel, 0).xy));
+    float crease = distance(own, depthGradient(fragmentIn.faceNormal));
+    float expected = position.x + dot(own, place - vec2(texel) - 0.5) * boxExtent.w;
+    return crease <= mostCrease && abs(local.z - expected) <= boxExtent.w * (0.5 + crease);
+}
 
 void main() {
     if (!isInMap()) discard;
-    outCovered = 1.0;
+    outCovered = showsMiddle(boxLocal(fragmentIn.position)) ? 1.0 : 0.0;
 }

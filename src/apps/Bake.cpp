@@ -4,6 +4,9 @@
 #include "apps/Common.h"
 #include "engine/Engine.h"
 #include "io/BakedFolder.h"
+#ifdef LIMPID_WITH_REFERENCE
+#include "audit/FluxAudit.h"
+#endif
 
 namespace limpid::apps {
 
@@ -13,17 +16,36 @@ struct BakeOptions {
     CommonOptions common;
     std::string output;
     double time = 0;
+    bool noAudit = false;
 };
 
-io::BakedLight bakedLight(Engine& engine, int index, const std::vector<io::BakedMap>& maps) {
-    FluxBalance flux = engine.auditFlux(index);
-    const std::string& name = engine.scene().lights[std::size_t(index)].name;
-    for (const io::BakedMap& map : maps)
-        if (map.light == name) flux.deposited += map.deposited;
-    const int beams = engine.light(index).mapBeams().triangleCount;
-    return {name,          beams,          engine.beamsDrawn(index), flux.entering,
-            flux.absorbed, flux.scattered, flux.deposited,           flux.missed,
-            flux.rejected, flux.residual()};
+#ifdef LIMPID_WITH_REFERENCE
+/// Where each light went, in the order of the scene's lights.
+std::vector<io::BakedFlux> countFlux(const Engine& engine, const std::vector<MapData>& maps) {
+    std::vector<io::BakedFlux> counted;
+    for (const FluxBalance& flux : auditFlux(engine, maps))
+        counted.push_back({flux.entering, flux.absorbed, flux.scattered, flux.deposited, flux.missed,
+                           flux.rejected, flux.residual(), flux.standardError});
+    return counted;
+}
+#else
+/// This build has no ray tracer.
+std::vector<io::BakedFlux> countFlux(const Engine&, const std::vector<MapData>&) {
+    return {};
+}
+#endif
+
+/// `flux`: of each light, or empty.
+std::vector<io::BakedLight> bakedLights(const Engine& engine, const std::vector<io::BakedFlux>& flux) {
+    std::vector<io::BakedLight> baked;
+    for (std::size_t i = 0; i < engine.scene().lights.size(); ++i) {
+        baked.push_back({engine.scene().lights[i].name,
+                         engine.light(int(i)).mapBeams().triangleCount,
+                         engine.beamsDrawn(int(i)),
+                         {}});
+        if (!flux.empty()) baked.back().flux = flux[i];
+    }
+    return baked;
 }
 
 void printBake(const io::Bake& bake) {
@@ -49,9 +71,10 @@ void bake(const BakeOptions& options) {
     result.method = methodName(engine.scene().caustics.method);
     result.time = options.time;
     result.origin = engine.origin();
-    result.maps = bakedMaps(engine);
-    for (int light = 0; light < int(engine.scene().lights.size()); ++light)
-        result.lights.push_back(bakedLight(engine, light, result.maps));
+    std::vector<MapData> maps = readAllMaps(engine);
+    const auto flux = options.noAudit ? std::vector<io::BakedFlux>() : countFlux(engine, maps);
+    result.lights = bakedLights(engine, flux);
+    result.maps = bakedMaps(engine, std::move(maps));
     io::writeBake(options.output, result);
     if (!options.common.quiet) printBake(result);
     if (options.common.verbose) printWork(engine, context);
@@ -66,6 +89,7 @@ void addBake(CLI::App& app) {
     addCommonOptions(*command, options->common);
     command->add_option("-o,--output", options->output, "folder to write to")->required();
     command->add_option("--time", options->time, "seconds");
+    command->add_flag("--no-audit", options->noAudit, "do not count where the light went");
     command->callback([options] { bake(*options); });
 }
 

@@ -1,14 +1,10 @@
 #include "apps/BakedMaps.h"
 
-#include "engine/Readback.h"
-
 namespace limpid::apps {
 
 namespace {
 
-io::BakedMap bakedMap(Engine& engine, const ReceiverMaps& maps) {
-    const gl::Texture coverage = engine.coverage(maps);
-    MapData data = readMaps(maps, engine.origin(), &coverage);
+io::BakedMap bakedMap(const Engine& engine, const ReceiverMaps& maps, MapData data) {
     io::BakedMap baked;
     baked.receiver = engine.scene().receivers[std::size_t(maps.receiver)].name;
     baked.light = engine.scene().lights[std::size_t(maps.light)].name;
@@ -28,10 +24,19 @@ io::BakedMap bakedMap(Engine& engine, const ReceiverMaps& maps) {
 
 } // namespace
 
-std::vector<io::BakedMap> bakedMaps(Engine& engine) {
+std::vector<MapData> readAllMaps(Engine& engine) {
+    std::vector<MapData> read;
+    for (const ReceiverMaps& maps : engine.maps()) {
+        const gl::Texture coverage = engine.coverage(maps);
+        read.push_back(readMaps(maps, engine.origin(), &coverage));
+    }
+    return read;
+}
+
+std::vector<io::BakedMap> bakedMaps(const Engine& engine, std::vector<MapData> maps) {
     std::vector<io::BakedMap> baked;
-    for (const ReceiverMaps& maps : engine.maps())
-        baked.push_back(bakedMap(engine, maps));
+    for (std::size_t i = 0; i < maps.size(); ++i)
+        baked.push_back(bakedMap(engine, engine.maps()[i], std::move(maps[i])));
     return baked;
 }
 

@@ -103,12 +103,20 @@ void printWarnings(const Engine& engine, const CommonOptions& options) {
 }
 
 void printFlux(const io::Bake& bake) {
-    for (const io::BakedLight& light : bake.lights)
+    for (const io::BakedLight& light : bake.lights) {
+        if (!light.flux) continue;
+        const io::BakedFlux& flux = *light.flux;
+        const auto percent = [&](double watts) {
+            return flux.entering > 0 ? 100 * watts / flux.entering : 0.0;
+        };
+        const std::string error =
+            flux.standardError ? fmt::format(", give or take {:.3f}", percent(*flux.standardError)) : "";
         fmt::print(
             "{}: {:.6g} W enter; {:.6g} deposited, {:.6g} absorbed, {:.6g} scattered, {:.6g} missed, {:.6g} "
-            "rejected; residual {:.3g} ({:.3f} %)\n",
-            light.light, light.entering, light.deposited, light.absorbed, light.scattered, light.missed,
-            light.rejected, light.residual, light.entering > 0 ? 100 * light.residual / light.entering : 0.0);
+            "rejected; residual {:.3g} ({:.3f} %{})\n",
+            light.light, flux.entering, flux.deposited, flux.absorbed, flux.scattered, flux.missed,
+            flux.rejected, flux.residual, percent(flux.residual), error);
+    }
 }
 
 void printWork(Engine& engine, gl::Context& context) {

@@ -263,7 +263,7 @@ void Run::compareMaps(Series& series) {
     if (!_judged && !toBaseline) return;
     io::Bake ours;
     ours.origin = _engine.origin();
-    ours.maps = bakedMaps(_engine);
+    ours.maps = bakedMaps(_engine, readAllMaps(_engine));
     if (_judged) {
         const io::Bake& truth = _truth.maps(sceneOf(series));
         series.result.error = io::bakeErrors(ours, truth, series.result.method, "the reference");

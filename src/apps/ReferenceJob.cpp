@@ -3,6 +3,7 @@
 #include <embree3/rtcore_config.h>
 #include <fmt/format.h>
 
+#include "audit/FaceSorting.h"
 #include "core/Progress.h"
 #include "levelmap/MapPlan.h"
 #include "levelmap/ReceiverGeometry.h"
@@ -11,10 +12,6 @@
 namespace limpid::apps {
 
 namespace {
-
-reference::FaceSorting sortingOf(const Facings& facings) {
-    return {facings.light, Facings::steep, facings.axes, facings.used, facings.sheet};
-}
 
 io::Bake bakeOf(const reference::TraceJob& job, reference::TraceResult result) {
     io::Bake bake;
@@ -41,9 +38,15 @@ io::Bake bakeOf(const reference::TraceJob& job, reference::TraceResult result) {
     }
     for (std::size_t i = 0; i < result.lights.size(); ++i) {
         const reference::TracedLight& light = result.lights[i];
-        bake.lights.push_back({job.scene.lights[i].name, light.photons, light.photons, light.entering,
-                               light.absorbed, light.scattered, light.deposited, light.missed, light.rejected,
-                               light.residual()});
+        bake.lights.push_back({job.scene.lights[i].name, light.photons, light.photons,
+                               io::BakedFlux{light.entering,
+                                             light.absorbed,
+                                             light.scattered,
+                                             light.deposited,
+                                             light.missed,
+                                             light.rejected,
+                                             light.residual(),
+                                             {}}});
     }
     return bake;
 }

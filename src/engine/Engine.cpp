@@ -41,7 +41,7 @@ Engine::Engine(gl::Context& context)
     : _context(context), _surface(context), _beamTracer(context), _sceneDepthPass(context),
       _surfaceShadowPass(context), _levelMapPass(context), _smartSlicing(context),
       _tangentPlanesPass(context), _planeDepthsPass(context), _drawnPlanes(context), _planeBeams(context),
-      _culling(context), _exactBeams(context), _discFilter(context), _fluxAudit(context) {}
+      _culling(context), _exactBeams(context), _discFilter(context) {}
 
 void Engine::requireScene(const Scene& scene, const gl::Context& context) {
     requireGrid(scene.water.grid, context.info());
@@ -160,7 +160,7 @@ void Engine::updateCaustics(double time) {
         updateMaps(maps);
 }
 
-/// Water, and what becomes of every light in it. This, updateMaps, auditFlux and withPicture leave nothing
+/// Water, and what becomes of every light in it. This, updateMaps and withPicture leave nothing
 /// half-made when the GPU runs out of memory: it would be taken for whole at the next update.
 void Engine::updateSurface(double time) try {
     _skipped = {};
@@ -389,6 +389,13 @@ void Engine::drawSlices(ReceiverMaps& maps) {
     if (!_volumetric) _volumetric = std::make_unique<Volumetric>(_context);
     prepareMaps(maps);
     _volumetric->drawSlices(maps.slices, maps.level, litReceiver(maps));
+}
+
+gl::Texture Engine::coverage(const ReceiverMaps& maps) {
+    Scope scope(_timers, "coverage");
+    if (!_coveragePass) _coveragePass = std::make_unique<CoveragePass>(_context);
+    return _coveragePass->draw(maps.level, _receivers[std::size_t(maps.receiver)],
+                               _lights[std::size_t(maps.light)].beams);
 }
 
 void Engine::slice(LevelMap& map) {

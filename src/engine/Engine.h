@@ -9,7 +9,6 @@
 #include "caustics/DiscFilter.h"
 #include "caustics/DrawnPlanes.h"
 #include "caustics/ExactBeams.h"
-#include "caustics/FluxAudit.h"
 #include "caustics/PhotonSplat.h"
 #include "caustics/PlaneBeams.h"
 #include "caustics/StencilVolumes.h"
@@ -129,9 +128,9 @@ class Engine {
     /// one for each of its further maps.
     const std::vector<ReceiverMaps>& maps() const { return _maps; }
     const LightState& light(int index) const { return _lights[std::size_t(index)]; }
+    /// The surface that a light's mapBeams() begin at, as of the last update.
+    const WaterMesh& mapMesh(const LightState& state) const;
 
-    /// Where the light went, all but `deposited`. After updateCaustics; waits for the GPU.
-    FluxBalance auditFlux(int light);
     /// Of one of maps(), after updateCaustics (levelmap/Coverage.h).
     gl::Texture coverage(const ReceiverMaps& maps);
 
@@ -163,7 +162,6 @@ class Engine {
     void prepareDisc(int light, const LightFrameData& middle);
     void prepareLampWater(int light, const LightFrameData& frame);
     void traceLampWater(LightState& state);
-    const WaterMesh& mapMesh(const LightState& state) const;
     void traceBeams();
     void updateMaps(ReceiverMaps& maps);
     void updateReceiver(ReceiverMaps& maps);
@@ -217,10 +215,9 @@ class Engine {
     BeamCulling _culling;
     ExactBeams _exactBeams;
     DiscFilter _discFilter;
-    std::unique_ptr<Volumetric> _volumetric;   ///< made when a scene asks for it
-    std::unique_ptr<StencilVolumes> _stencil;  ///< likewise
-    std::unique_ptr<PhotonSplat> _photonSplat; ///< likewise
-    FluxAudit _fluxAudit;
+    std::unique_ptr<Volumetric> _volumetric;         ///< made when a scene asks for it
+    std::unique_ptr<StencilVolumes> _stencil;        ///< likewise
+    std::unique_ptr<PhotonSplat> _photonSplat;       ///< likewise
     std::unique_ptr<CoveragePass> _coveragePass;     ///< made when light is counted
     std::unique_ptr<TakenLight> _takenLight;         ///< made for the first translucent receiver
     const gl::Texture* _godrays = nullptr;           ///< of the picture that was begun last; null for none

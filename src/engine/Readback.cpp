@@ -7,6 +7,22 @@
 
 namespace limpid {
 
+namespace {
+
+/// Σ irradiance · surface area, W, mean of R, G and B.
+double depositedFlux(const MapData& map, double texelArea) {
+    double sum = 0;
+    for (std::size_t i = 0; i < map.normalDotAxis.size(); ++i) {
+        if (map.normalDotAxis[i] <= 0) continue;
+        const float* rgb = &map.irradiance[3 * i];
+        const double mean = (double(rgb[0]) + double(rgb[1]) + double(rgb[2])) / 3;
+        sum += mean * texelArea * double(map.coverage[i]) / double(map.normalDotAxis[i]);
+    }
+    return sum;
+}
+
+} // namespace
+
 MapData readMaps(const ReceiverMaps& maps, const glm::dvec3& origin, const gl::Texture* coverage) {
     const TexelFrame& frame = maps.level.frame;
     const auto position = maps.level.position.readFloats(GL_RG, 2);
@@ -18,6 +34,7 @@ MapData readMaps(const ReceiverMaps& maps, const glm::dvec3& origin, const gl::T
                  std::vector<float>(4 * texels),
                  std::vector<float>(3 * texels),
                  std::vector<float>(texels),
+                 coverage ? coverage->readFloats(GL_RED, 1) : std::vector<float>(texels, 1.0f),
                  0};
     for (std::size_t i = 0; i < texels; ++i) {
         if (position[2 * i + 1] == -1.0f) continue;
@@ -36,8 +53,7 @@ MapData readMaps(const ReceiverMaps& maps, const glm::dvec3& origin, const gl::T
         // its own.
         data.normalDotAxis[i] = float(std::max(facing, 4e-5));
     }
-    const auto covered = coverage ? coverage->readFloats(GL_RED, 1) : std::vector<float>(texels, 1.0f);
-    data.deposited = depositedFlux(data.irradiance, data.normalDotAxis, covered, frame.texelArea());
+    data.deposited = depositedFlux(data, frame.texelArea());
     return data;
 }
 

@@ -14,7 +14,8 @@ struct MapData {
     std::vector<float> position;   ///< RGBA: m from the scene's origin; 1 where the texel sees the receiver
     std::vector<float> normal;     ///< RGB: unit, geometric, facing the box's top
     std::vector<float> normalDotAxis; ///< |n·V|, 0 where there is no receiver
-    double deposited = 0;             ///< Σ irradiance · surface area, W, mean of R, G and B
+    std::vector<float> coverage; ///< share of the texel that its surface covers, [0, 1]; 1 unless asked for
+    double deposited = 0;        ///< Σ irradiance · surface area, W, mean of R, G and B
 };
 
 /// Texels that light reaches, by reference plane, over all requested planes of the box: what smart slicing

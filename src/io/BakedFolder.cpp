@@ -13,18 +13,18 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+Json fluxJson(const BakedFlux& flux) {
+    Json json = {{"entering", flux.entering},   {"absorbed", flux.absorbed}, {"scattered", flux.scattered},
+                 {"deposited", flux.deposited}, {"missed", flux.missed},     {"rejected", flux.rejected},
+                 {"residual", flux.residual}};
+    if (flux.standardError) json["standard_error"] = *flux.standardError;
+    return json;
+}
+
 Json lightJson(const BakedLight& light) {
-    return {{"light", light.light},
-            {"beams", light.beams},
-            {"beams_drawn", light.beamsDrawn},
-            {"flux",
-             {{"entering", light.entering},
-              {"absorbed", light.absorbed},
-              {"scattered", light.scattered},
-              {"deposited", light.deposited},
-              {"missed", light.missed},
-              {"rejected", light.rejected},
-              {"residual", light.residual}}}};
+    Json json = {{"light", light.light}, {"beams", light.beams}, {"beams_drawn", light.beamsDrawn}};
+    if (light.flux) json["flux"] = fluxJson(*light.flux);
+    return json;
 }
 
 std::string fileName(const BakedMap& map, const char* what) {

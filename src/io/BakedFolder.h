@@ -25,11 +25,16 @@ struct BakedMap {
     std::optional<double> standardError;
 };
 
+/// Where the light of one lamp went, W.
+struct BakedFlux {
+    double entering = 0, absorbed = 0, scattered = 0, deposited = 0, missed = 0, rejected = 0, residual = 0;
+    std::optional<double> standardError; ///< of the residual, where rays at random were counted
+};
+
 struct BakedLight {
     std::string light;
     std::int64_t beams = 0, beamsDrawn = 0;
-    double entering = 0, absorbed = 0, scattered = 0, deposited = 0, missed = 0, rejected = 0,
-           residual = 0; ///< W
+    std::optional<BakedFlux> flux; ///< empty where it was not counted
 };
 
 struct Bake {

@@ -151,20 +151,25 @@ BakedMap readMapEntry(const fs::path& folder, const Entry& entry) {
     return map;
 }
 
+BakedFlux readFlux(const Entry& entry) {
+    BakedFlux flux;
+    entry.read("entering", flux.entering);
+    entry.read("absorbed", flux.absorbed);
+    entry.read("scattered", flux.scattered);
+    entry.read("deposited", flux.deposited);
+    entry.read("missed", flux.missed);
+    entry.read("rejected", flux.rejected);
+    entry.read("residual", flux.residual);
+    if (entry.has("standard_error")) flux.standardError = entry["standard_error"].number();
+    return flux;
+}
+
 BakedLight readLight(const Entry& entry) {
     BakedLight light;
     light.light = entry["light"].text();
     entry.read("beams", light.beams);
     entry.read("beams_drawn", light.beamsDrawn);
-    if (!entry.has("flux")) return light;
-    const Entry flux = entry["flux"];
-    flux.read("entering", light.entering);
-    flux.read("absorbed", light.absorbed);
-    flux.read("scattered", light.scattered);
-    flux.read("deposited", light.deposited);
-    flux.read("missed", light.missed);
-    flux.read("rejected", light.rejected);
-    flux.read("residual", light.residual);
+    if (entry.has("flux")) light.flux = readFlux(entry["flux"]);
     return light;
 }
 

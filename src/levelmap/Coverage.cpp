@@ -2,44 +2,68 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace limpid {
 
 namespace {
 
-enum MeanUniform { Places };
+enum Uniform { Places = 2, GridPlaces };
+enum Unit : GLuint { CoveredUnit, PositionUnit = 5, NormalUnit };
 constexpr glm::ivec2 groupSize{8, 8};
+constexpr double lean = 0.0773; // as in shaders/include/coverage_places.glsl
+constexpr int mostPlaces = 4096;
 
-/// Along a texel's side; odd, so that its middle is one.
-int placesFor(glm::ivec2 size) {
-    const int most = std::clamp(4096 / std::max(size.x, size.y), 1, 7);
-    return most % 2 == 0 ? most - 1 : most;
+/// Along a texel's side: as many as leave 2e-4 of a square map in doubt. Each of 4 `side` texels at a rim is
+/// off by some 0.3 of a place, by chance.
+double placesFor(glm::ivec2 size) {
+    const double side = std::max(size.x, size.y);
+    const double wanted = 0.6 / (2e-4 * side * std::sqrt(side));
+    return std::min(std::clamp(wanted, 3.0, 16.0), mostPlaces / ((1 + lean) * side));
+}
+
+glm::ivec2 gridFor(glm::ivec2 size, double places) {
+    const glm::dvec2 texels(size);
+    return glm::ivec2(glm::ceil(places * (texels + lean * glm::dvec2(texels.y, texels.x))));
 }
 
 } // namespace
 
 CoveragePass::CoveragePass(gl::Context& context)
-    : _context(context), _draw({"levelmap/level_map.vert", "levelmap/face.geom", "levelmap/coverage.frag"}),
-      _mean({"levelmap/coverage.comp"}) {}
+    : _context(context), _draw({"levelmap/coverage.vert", "levelmap/face.geom", "levelmap/coverage.frag"}),
+      _share({"levelmap/coverage.comp"}) {}
 
 gl::Texture CoveragePass::draw(const LevelMap& map, const ReceiverGeometry& geometry, const Beams& beams) {
     const glm::ivec2 size = map.frame.size;
-    const int places = placesFor(size);
-    const gl::Texture covered(_context.ledger(), "coverage", GL_R8, places * size);
-    const std::array<const gl::Texture*, 1> targets{&covered};
-    const gl::Framebuffer framebuffer("coverage", targets);
-    framebuffer.bind();
-    framebuffer.clearColor(0, glm::vec4(0));
+    const double places = placesFor(size);
+    const glm::ivec2 grid = gridFor(size, places);
+    const gl::Texture covered(_context.ledger(), "coverage", GL_R8, grid);
     beams.frame.bindUniform(0);
     map.box.bindUniform(1);
-    geometry.draw(_draw);
+    map.position.bind(PositionUnit);
+    map.normal.bind(NormalUnit);
+    _draw.set(Places, float(places));
+    _draw.set(GridPlaces, glm::vec2(grid));
+    drawPlaces(covered, geometry);
     gl::Texture coverage(_context.ledger(), "coverage", GL_R32F, size);
-    covered.bind(0);
+    covered.bind(CoveredUnit);
     coverage.bindImage(0, GL_WRITE_ONLY);
-    _mean.set(Places, places);
-    _mean.dispatch2D(size, groupSize);
+    _share.set(Places, float(places));
+    _share.dispatch2D(size, groupSize);
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
     return coverage;
+}
+
+void CoveragePass::drawPlaces(const gl::Texture& covered, const ReceiverGeometry& geometry) {
+    const gl::Texture depth(_context.ledger(), "depth buffer", GL_DEPTH_COMPONENT32F, covered.size());
+    const std::array<const gl::Texture*, 1> targets{&covered};
+    const gl::Framebuffer framebuffer("coverage", targets, &depth);
+    framebuffer.bind();
+    framebuffer.clearColor(0, glm::vec4(0));
+    framebuffer.clearDepth(1);
+    glEnable(GL_DEPTH_TEST);
+    geometry.draw(_draw);
+    glDisable(GL_DEPTH_TEST);
 }
 
 } // namespace limpid

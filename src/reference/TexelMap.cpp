@@ -23,6 +23,21 @@ double deviationBias(int count) {
 
 } // namespace
 
+glm::dvec2 depthGradient(const glm::dvec3& normal, const OrientedBox& box) {
+    const double along = glm::dot(normal, box.t), least = 1 / steepest;
+    const double divisor = std::abs(along) > least ? along : std::copysign(least, along);
+    return -glm::dvec2(glm::dot(normal, box.u), glm::dot(normal, box.w)) / divisor;
+}
+
+bool TexelFace::goesOn(const glm::dvec2& at, double found, const MapSurface& surface, double texel) const {
+    const double expected = depth + glm::dot(gradient, at - middle) * texel;
+    const double crease = glm::length(gradient - surface.gradient);
+    // A footprint on a gentle face may hold a strip of a steep one, but not the other way round.
+    const bool strip = surface.spans && glm::length(surface.gradient) < glm::length(gradient);
+    if (crease > mostCrease && !strip) return false;
+    return std::abs(found - expected) <= texel * (0.5 + crease) + surface.slack;
+}
+
 TexelMap::TexelMap(const MapRequest& request, const SceneGeometry& geometry, const glm::dvec3& origin,
                    double level, Fixed fixed)
     : _request(request), _geometry(geometry), _box(request.frame.box), _level(level), _fixed(fixed) {
@@ -40,9 +55,7 @@ MapPlace TexelMap::place(const glm::dvec3& point) const {
 }
 
 glm::dvec2 TexelMap::gradient(const glm::dvec3& normal) const {
-    const double along = glm::dot(normal, _box.t), least = 1 / steepest;
-    const double divisor = std::abs(along) > least ? along : std::copysign(least, along);
-    return -glm::dvec2(glm::dot(normal, _box.u), glm::dot(normal, _box.w)) / divisor;
+    return depthGradient(normal, _box);
 }
 
 TexelMap::Texel TexelMap::cast(const glm::dvec2& at) const {
@@ -67,18 +80,11 @@ void TexelMap::see(int row) {
         _texels[index({x, row})] = cast({x + 0.5, row + 0.5});
 }
 
-/// Whether a surface at `depth` is the one that the texel shows: it lies where the texel's own face goes on
-/// to, give or take what a crease inside the texel can make.
+/// Whether a surface at `depth` is the one that the texel shows.
 bool TexelMap::takes(const Texel& texel, const glm::dvec2& middle, const glm::dvec2& at, double depth,
                      const MapSurface& surface) const {
-    if (texel.facing == 0) return false;
-    const glm::dvec2 own(texel.gradient);
-    const double expected = double(texel.depth) + glm::dot(own, at - middle) * this->texel();
-    const double crease = glm::length(own - surface.gradient);
-    // A footprint on a gentle face may hold a strip of a steep one, but not the other way round.
-    const bool strip = surface.spans && glm::length(surface.gradient) < glm::length(own);
-    if (crease > mostCrease && !strip) return false;
-    return std::abs(depth - expected) <= this->texel() * (0.5 + crease) + surface.slack;
+    const TexelFace face{middle, double(texel.depth), glm::dvec2(texel.gradient)};
+    return texel.facing != 0 && face.goesOn(at, depth, surface, this->texel());
 }
 
 /// Whether the texel may be covered in part only: it or a neighbour shows something else within a texel.

@@ -42,6 +42,20 @@ struct MapSurface {
     bool spans = false;     ///< whether it is a footprint's, which may span several faces
 };
 
+/// Depth in m by metre along u and w of `box`, of a face with this unit normal.
+glm::dvec2 depthGradient(const glm::dvec3& normal, const OrientedBox& box);
+
+/// The face that a texel shows at its middle.
+struct TexelFace {
+    glm::dvec2 middle{0};   ///< texels
+    double depth = 0;       ///< m
+    glm::dvec2 gradient{0}; ///< m by m
+
+    /// Whether a surface of depth `found` (m) at `at` (texels) is the same one: it lies where the face goes
+    /// on to, give or take what a crease inside the texel can make. `texel`: m.
+    bool goesOn(const glm::dvec2& at, double found, const MapSurface& surface, double texel) const;
+};
+
 /// The light on one map. First `see` for every row, then `findRims` for every row, by any thread; then light
 /// is added by any thread, and `closeBatch` called between batches.
 class TexelMap {

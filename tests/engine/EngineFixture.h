@@ -1,4 +1,5 @@
 #pragma once
+#include "audit/FluxAudit.h"
 #include "engine/Engine.h"
 #include "engine/Readback.h"
 #include "engine/Scenes.h"
@@ -27,11 +28,7 @@ class EngineGLTest : public GLTest {
             baked.planesRequested.push_back(maps.level.requestedPlanes);
             baked.frames.push_back(maps.level.frame);
         }
-        for (int light = 0; audit && light < int(scene.lights.size()); ++light) {
-            baked.flux.push_back(engine.auditFlux(light));
-            for (std::size_t i = 0; i < baked.maps.size(); ++i)
-                if (engine.maps()[i].light == light) baked.flux.back().deposited += baked.maps[i].deposited;
-        }
+        if (audit) baked.flux = auditFlux(engine, baked.maps);
         return baked;
     }
     static Baked bake(const Scene& scene, bool audit = false) {

@@ -14,14 +14,17 @@ class FluxBalanceGLTest : public EngineGLTest {
         return scene;
     }
     static double share(const FluxBalance& flux) { return std::abs(flux.residual()) / flux.entering; }
+    /// Of what enters: the project's, and what chance may add in one of a thousand counts.
+    static double most(const FluxBalance& flux) { return 0.001 + 3.3 * flux.standardError / flux.entering; }
 };
 
 TEST_F(FluxBalanceGLTest, floorPastASphereUnderFlatWater) {
     const Baked baked = bake(floorPastSphere(), true);
     const FluxBalance& flux = baked.flux.at(0);
-    EXPECT_LT(share(flux), 0.01) << flux.residual() << " W of " << flux.entering;
-    EXPECT_LT(std::abs(flux.rejected) / flux.entering, 0.01);
+    EXPECT_LT(share(flux), most(flux)) << flux.residual() << " W of " << flux.entering;
+    EXPECT_LT(flux.rejected, 0.01 * flux.entering);
     EXPECT_GT(flux.missed, 0);
+    EXPECT_LT(flux.standardError, 1.3 * FluxAudit::wantedError * flux.entering);
 
     // Nothing is lit twice: what the sphere takes is missing from the floor, and is the light on its disc.
     Scene alone = floorPastSphere();
@@ -37,7 +40,7 @@ TEST_F(FluxBalanceGLTest, absorbedAndScatteredAreCounted) {
     scene.water.absorption = {0.4, 0.2, 0.1};
     scene.water.scattering = {0.1, 0.1, 0.1};
     const FluxBalance flux = bake(scene, true).flux.at(0);
-    EXPECT_LT(share(flux), 0.01);
+    EXPECT_LT(share(flux), most(flux));
     EXPECT_GT(flux.absorbed, 1.5 * flux.scattered);
     EXPECT_GT(flux.scattered, 0.05 * flux.entering);
 }
@@ -47,8 +50,8 @@ TEST_F(FluxBalanceGLTest, underWaves) {
     scene.water.waves = {scenes::cosine(0.01, 0.3, {1, 0.4}), scenes::noise(0.01, 0.5)};
     const FluxBalance flux = bake(scene, true).flux.at(0);
     printf("residual under waves: %.3f %% of entering\n", 100 * flux.residual() / flux.entering);
-    EXPECT_LT(share(flux), 0.002);
-    EXPECT_LT(std::abs(flux.rejected), 0.002 * flux.entering);
+    EXPECT_LT(share(flux), most(flux));
+    EXPECT_LT(flux.rejected, 0.01 * flux.entering);
 }
 
 TEST_F(FluxBalanceGLTest, aLampNearTheWater) {
@@ -58,7 +61,7 @@ TEST_F(FluxBalanceGLTest, aLampNearTheWater) {
     lamp.position = {0.5, 0.6, 0.2};
     scene.lights = {lamp};
     const FluxBalance flux = bake(scene, true).flux.at(0);
-    EXPECT_LT(share(flux), 0.02) << flux.residual() << " W of " << flux.entering;
+    EXPECT_LT(share(flux), most(flux)) << flux.residual() << " W of " << flux.entering;
 }
 
 /// A lamp `above` flat water, of 1 W/sr, over a floor `below` it.
@@ -93,7 +96,7 @@ TEST_F(FluxBalanceGLTest, aLampThatAlmostTouchesTheWater) {
     scene.caustics.mapSize = 128;
     const Baked baked = bake(scene, true);
     const FluxBalance& flux = baked.flux.at(0);
-    EXPECT_LE(share(flux), 0.002);
+    EXPECT_LE(share(flux), most(flux));
 
     // All of the half-space below but what passes the patch, of which a lamp so low sends 3e-4 of a radian,
     // at an angle where most is reflected. A mean of corners is wrong in the second order of what turns
@@ -131,13 +134,58 @@ TEST_F(FluxBalanceGLTest, aSpotPastTheSphere) {
     scene.lights = {spot};
     const Baked baked = bake(scene, true);
     const FluxBalance& flux = baked.flux.at(0);
-    EXPECT_LT(share(flux), 0.02) << flux.residual() << " W of " << flux.entering;
+    EXPECT_LT(share(flux), most(flux)) << flux.residual() << " W of " << flux.entering;
     // All of the cone lands on floor and sphere.
     EXPECT_NEAR(flux.deposited, flux.entering, 0.02 * flux.entering);
     // The floor's corners see the lamp past the cone.
     const MapData& floor = baked.maps.at(0);
     EXPECT_EQ(floor.irradiance.front(), 0);
     EXPECT_EQ(floor.irradiance.back(), 0);
+}
+
+/// Walls, floor and thin bars of one mesh, with texels as wide as a bar: light goes where faces are a texel
+/// or two wide, and where they run along it. What no texel shows is rejected; the rest is in the maps.
+TEST_F(FluxBalanceGLTest, thingsAsWideAsATexel) {
+    Mesh mesh = makeBox({0.6, 0.5, 0.6}, glm::vec3(0.8f));
+    const auto add = [&](const glm::dvec3& size, const glm::dvec3& at) {
+        const Mesh bar = makeBox(size, glm::vec3(0.8f));
+        const auto first = std::uint32_t(mesh.positions.size());
+        for (std::size_t i = 0; i < bar.positions.size(); ++i) {
+            mesh.positions.push_back(bar.positions[i] + at);
+            mesh.normals.push_back(bar.normals[i]);
+            mesh.uvs.push_back(bar.uvs[i]);
+        }
+        for (const std::uint32_t i : bar.indices)
+            mesh.indices.push_back(first + i);
+        mesh.parts[0].indexCount += int(bar.indices.size());
+    };
+    for (int i = 0; i < 6; ++i)
+        add({0.02, 0.3, 0.02}, {-0.8 + 0.07 * i, 0, 0.5});
+    Scene scene;
+    scene.receivers = {scenes::shape("yard", std::move(mesh), {0, -0.8, 0})};
+    scene.water.waves = {scenes::cosine(0.01, 0.3, {1, 0.4})};
+    scene.water.grid = {96, 96};
+    scene.caustics.mapSize = 64;
+    for (const double degrees : {2.0, 12.0}) {
+        scene.lights = {scenes::sunAt(degrees)};
+        const FluxBalance flux = bake(scene, true).flux.at(0);
+        printf("bars, sun at %g°: residual %.3f %%, rejected %.3f %%, deposited %.3f %% of entering\n",
+               degrees, 100 * flux.residual() / flux.entering, 100 * flux.rejected / flux.entering,
+               100 * flux.deposited / flux.entering);
+        EXPECT_LT(share(flux), most(flux)) << degrees;
+        EXPECT_GT(flux.rejected, 0) << degrees;
+    }
+}
+
+TEST_F(FluxBalanceGLTest, coarseWater) {
+    Scene scene = floorPastSphere();
+    scene.water.waves = {scenes::cosine(0.01, 0.5, {1, 0.4})};
+    scene.caustics.mapSize = 128;
+    for (const int cells : {4, 12, 40}) {
+        scene.water.grid = glm::ivec2(cells);
+        const FluxBalance flux = bake(scene, true).flux.at(0);
+        EXPECT_LT(share(flux), most(flux)) << cells << ": " << flux.residual() << " W of " << flux.entering;
+    }
 }
 
 TEST_F(FluxBalanceGLTest, farFromTheOriginNothingChanges) {

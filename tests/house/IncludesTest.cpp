@@ -32,9 +32,10 @@ const std::map<std::string, Strings> mayInclude = {
     {"view", {"core", "gl", "scene", "water", "levelmap", "caustics"}},
     {"engine", {"core", "gl", "scene", "water", "levelmap", "occlusion", "caustics", "godrays", "view"}},
     {"reference", {"core", "scene", "io"}},
+    {"audit", {"core", "gl", "scene", "water", "levelmap", "engine", "reference"}},
     {"apps",
      {"core", "gl", "scene", "io", "water", "levelmap", "occlusion", "caustics", "godrays", "view",
-      "engine", "reference"}},
+      "engine", "reference", "audit"}},
 };
 
 const Strings sourceFolders = {"src", "shaders", "tests", "models", "profiles/bench"};

@@ -40,7 +40,7 @@ Bake bakeOf(std::vector<BakedMap> maps) {
     bake.input = "floor.toml";
     bake.method = "level-map";
     bake.time = 2.5;
-    bake.lights = {{"sun", 8, 6, 3, 0.5, 0.25, 1.25, 0.5, 0.5, 0}};
+    bake.lights = {{"sun", 8, 6, BakedFlux{3, 0.5, 0.25, 1.25, 0.5, 0.5, 0, 0.125}}};
     bake.maps = std::move(maps);
     return bake;
 }
@@ -63,7 +63,9 @@ TEST(BakedFolderTest, comesBackAsItWas) {
     ASSERT_EQ(read.lights.size(), 1u);
     EXPECT_EQ(read.lights[0].beams, 8);
     EXPECT_EQ(read.lights[0].beamsDrawn, 6);
-    EXPECT_EQ(read.lights[0].rejected, 0.5);
+    ASSERT_TRUE(read.lights[0].flux);
+    EXPECT_EQ(read.lights[0].flux->rejected, 0.5);
+    EXPECT_EQ(read.lights[0].flux->standardError, 0.125);
     ASSERT_EQ(read.maps.size(), 2u);
     for (std::size_t i = 0; i < 2; ++i) {
         EXPECT_EQ(read.maps[i].receiver, "floor");

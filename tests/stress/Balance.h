@@ -45,7 +45,7 @@ inline const Known* knownOf(std::string_view scene, Method method) {
 
 /// Of what enters, by the bars of the project.
 inline double mostResidual(Method method) {
-    return method == Method::ExactBeam ? 0.002 : 0.005;
+    return method == Method::ExactBeam ? 0.001 : 0.005;
 }
 
 struct NamedScene {

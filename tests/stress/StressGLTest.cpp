@@ -22,7 +22,7 @@ TEST_F(StressGLTest, everyMethodAccountsForItsLight) {
     for (stress::NamedScene& named : stress::stressScenes(4, 128)) {
         Scene& scene = named.scene;
         const std::string& name = named.name;
-        // The audit follows rays of every beam past every map: here are many.
+        // Many maps, or many lights.
         if (name == "along-light" || name == "emergent" || name == "lights") {
             scene.water.grid /= 2;
             named.coarser *= 2;

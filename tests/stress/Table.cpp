@@ -9,6 +9,7 @@
 #include "core/Error.h"
 #include "stress/Balance.h"
 #include "stress/Truths.h"
+#include "stress/Umbra.h"
 
 namespace limpid {
 namespace {
@@ -21,11 +22,12 @@ class Table : public StressTest {
     const std::vector<std::string>& missed() const { return _missed; }
 
     void print(int coarser, int grid) {
-        printHead("scene");
+        printHead("scene", {"entering", "umbra", "give or take"});
         for (const stress::NamedScene& named : stress::stressScenes(coarser, grid)) {
             std::printf("| [%s](scenes/stress/%s.toml) |", named.name.c_str(), named.name.c_str());
             for (const Method method : _methods)
                 printBalance(named, method);
+            printTruth(named);
             std::printf("\n");
             std::fflush(stdout);
         }
@@ -52,12 +54,14 @@ class Table : public StressTest {
   private:
     void TestBody() override {}
 
-    void printHead(const char* first) const {
+    void printHead(const char* first, std::initializer_list<const char*> last = {}) const {
         std::printf("| %s |", first);
         for (const Method method : _methods)
             std::printf(" %s |", std::string(methodName(method)).c_str());
+        for (const char* column : last)
+            std::printf(" %s |", column);
         std::printf("\n|");
-        for (std::size_t i = 0; i <= _methods.size(); ++i)
+        for (std::size_t i = 0; i <= _methods.size() + last.size(); ++i)
             std::printf(" --- |");
         std::printf("\n");
     }
@@ -80,6 +84,21 @@ class Table : public StressTest {
         std::printf(std::abs(residual) > stress::mostResidual(method) ? " **%.3f** |" : " %.3f |",
                     100 * residual);
         std::fflush(stdout);
+    }
+
+    /// Exact beams against the reference, and the standard error of their balance.
+    void printTruth(const stress::NamedScene& named) {
+        Scene scene = named.scene;
+        scene.caustics.method = Method::ExactBeam;
+        const Baked baked = bake(engine(), scene, true);
+        const stress::Umbra umbra(scene);
+        const std::optional<double> light = umbra.light(baked);
+        std::printf(" %.3f |", 100 * umbra.enteringError(baked));
+        std::printf(light ? " %.3f |" : " – |", 100 * light.value_or(0));
+        double error = 0, entering = 0;
+        for (const FluxBalance& flux : baked.flux)
+            error = std::hypot(error, flux.standardError), entering += flux.entering;
+        std::printf(" %.3f |", entering > 0 ? 100 * error / entering : 0.0);
     }
 
     std::span<const Method> _methods;
