@@ -1,10 +1,8 @@
 // Out 0, RG32F: metres of water along the mean light to this receiver; its number, and a
 // half where its face looks along the light. The exact ray of the texel is
-// cut with the face's plane, since between corners a point light's rays do not interpolate. For the second solid only
-// what lies beyond the first one counts.
+// cut with the face's plane, since between corners a point light's rays do not interpolate.
 #include "include/scene_depth.glsl"
 #include "include/receiver_fragment.glsl"
-#include "include/solids.glsl"
 layout(location = 1) uniform int receiverNumber;
 layout(location = 2) uniform float farthest;
 layout(location = 3) uniform ivec2 mapSize;
@@ -17,7 +15,6 @@ void main() {
     float interpolated = dot(fragmentIn.position - entry, direction);
     float exact = distanceToPlane(entry, direction, fragmentIn.facePoint, fragmentIn.faceNormal);
     float distance = abs(dot(fragmentIn.faceNormal, direction)) < 0.05 ? interpolated : exact;
-    if (distance <= firstSolidEnds(ivec2(gl_FragCoord.xy))) discard;
     bool behind = dot(fragmentIn.faceNormal, direction) > 0.0;
     outDepth = vec2(distance, float(receiverNumber) + (behind ? 0.5 : 0.0));
     gl_FragDepth = clamp(0.5 + 0.9 * (distance / farthest - 0.5), 0.0, 1.0);

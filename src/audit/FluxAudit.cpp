@@ -92,14 +92,26 @@ double RayTracer::share(const reference::Hit& hit, const glm::dvec3& direction) 
     return map->share(hit, _geometry);
 }
 
+/// On through sheets, each of which takes its share.
 Lost RayTracer::follow(const BeamRay& ray) const {
-    const reference::Hit hit = _geometry.first(ray.from, ray.direction);
-    if (!hit) return {meanOf(_source.strength), 0, 0, 0};
     const glm::dvec3 taken = _absorption + _scattering;
-    const glm::dvec3 arriving = _source.strength * glm::exp(-taken * std::max(hit.distance, 0.0));
-    const glm::dvec3 gone = (_source.strength - arriving) / glm::max(taken, glm::dvec3(1e-300));
-    return {0, (1 - share(hit, ray.direction)) * meanOf(arriving), meanOf(gone * _absorption),
-            meanOf(gone * _scattering)};
+    Lost lost;
+    glm::dvec3 watts = _source.strength;
+    double travelled = 0;
+    reference::Hit hit = _geometry.first(ray.from, ray.direction);
+    for (int sheets = 0; hit && sheets <= reference::mostSheets; ++sheets) {
+        const glm::dvec3 arriving = watts * glm::exp(-taken * std::max(hit.distance - travelled, 0.0));
+        const glm::dvec3 gone = (watts - arriving) / glm::max(taken, glm::dvec3(1e-300));
+        lost.absorbed += meanOf(gone * _absorption);
+        lost.scattered += meanOf(gone * _scattering);
+        lost.rejected += (1 - share(hit, ray.direction)) * meanOf(arriving * (1.0 - hit.transmittance));
+        watts = arriving * hit.transmittance;
+        travelled = hit.distance;
+        if (watts == glm::dvec3(0)) return lost;
+        hit = _geometry.next(ray.from, ray.direction, hit);
+    }
+    lost.missed += meanOf(watts);
+    return lost;
 }
 
 /// The greatest standard error of any figure's mean over rays drawn one from each of equal parts: neighbours

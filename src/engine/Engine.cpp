@@ -287,8 +287,8 @@ void Engine::prepareDisc(int index, const LightFrameData& middle) {
 
 void Engine::drawSceneDepth(SceneDepth& depth, const LightState& state, int mapSize) {
     Scope scope(_timers, "scene depth map");
-    _sceneDepthPass.drawFirst(depth, sceneDepthSize(state.beams.rect, mapSize),
-                              {state.beams, _receivers, state.farthest});
+    _sceneDepthPass.draw(depth, sceneDepthSize(state.beams.rect, mapSize),
+                         {state.beams, _receivers, state.farthest});
 }
 
 /// What a method needs to know of a receiver.

@@ -1,11 +1,9 @@
 #pragma once
-#include <optional>
 #include <span>
 
 #include "gl/Context.h"
 #include "gl/Handles.h"
 #include "gl/Program.h"
-#include "levelmap/DepthPyramid.h"
 #include "levelmap/ReceiverGeometry.h"
 #include "water/Beams.h"
 
@@ -23,14 +21,8 @@ struct SceneDepth {
     /// RG32F: depth of the first receiver, 1e30 for none; its number, and a half if its face is met from
     /// behind.
     gl::Texture first;
-    /// RGBA32F, all levels: least and greatest depth at which what is first is entered, least depth at which
-    /// it is left again, its number. Where a receiver has no back, it is left where it is
-    /// entered.
-    gl::Texture pyramid;
-    /// RG32F: where what lies beyond the first solid is entered and where it is left, 1e30 for none.
-    gl::Texture second;
 
-    /// To the units that shaders/include/scene_depth.glsl and occlusion.glsl read.
+    /// To the unit that shaders/include/scene_depth.glsl reads.
     void bind() const;
 };
 
@@ -43,21 +35,12 @@ class SceneDepthPass {
         std::span<const ReceiverGeometry> receivers;
         double farthest; ///< an upper bound on metres of water to any receiver
     };
-    /// `first` alone: all that is needed where the mean light decides.
-    void drawFirst(SceneDepth& depth, glm::ivec2 size, const Inputs& inputs);
-    /// The pyramid, for what goes by a beam's own direction.
-    void drawSolids(SceneDepth& depth, const Inputs& inputs);
-    /// `second`, after the pyramid.
-    void drawSecondSolids(SceneDepth& depth, const Inputs& inputs);
+    /// Makes or overwrites the map; what lets some light through is not in it.
+    void draw(SceneDepth& depth, glm::ivec2 size, const Inputs& inputs);
 
   private:
-    enum class Solid { First, Second };
-    void drawReceivers(const gl::Program& program, glm::ivec2 size, const Inputs& inputs, Solid solid);
-    void drawEntered(const gl::Texture& entered, const Inputs& inputs, Solid solid);
-    void drawLeft(const gl::Texture& entered, const gl::Texture& out, const Inputs& inputs, Solid solid);
     gl::Context& _context;
-    gl::Program _first, _exit, _range, _rangeOfSecond;
-    DepthPyramidPass _pyramid;
+    gl::Program _program;
 };
 
 } // namespace limpid
