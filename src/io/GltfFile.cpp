@@ -12,6 +12,7 @@
 #include "io/GltfCompressed.h"
 #include "io/GltfDraco.h"
 #include "io/GltfMeshopt.h"
+#include "io/GltfUris.h"
 
 namespace fs = std::filesystem;
 
@@ -53,7 +54,7 @@ bool fileExists(const std::string& uri, void* userData) {
         return false;
     }
     std::error_code ignored;
-    return fs::is_regular_file(access.folder / uri, ignored);
+    return fs::is_regular_file(fileOfUri(access.folder, uri), ignored);
 }
 
 std::string keepPath(const std::string& uri, void*) {
@@ -63,7 +64,7 @@ std::string keepPath(const std::string& uri, void*) {
 bool readWholeFile(std::vector<unsigned char>* out, std::string* error, const std::string& uri,
                    void* userData) {
     try {
-        *out = readBytes(static_cast<FolderAccess*>(userData)->folder / uri);
+        *out = readBytes(fileOfUri(static_cast<FolderAccess*>(userData)->folder, uri));
         return true;
     } catch (const InputError& failure) {
         *error = failure.what();
@@ -175,20 +176,23 @@ void checkVersion(const GltfFile& file) {
         file.fail("asset.minVersion", "2.0", fmt::format("\"{}\"", oneLine(asset.minVersion, 40)));
 }
 
-/// Checks the file as far as tinygltf needs it, and changes what of compressed files it would not take.
+std::string_view jsonOf(const GltfFile& file, const std::vector<std::uint8_t>& bytes) {
+    return isBinary(bytes) ? checkGlb(file, bytes)
+                           : std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+}
+
+/// Checks the file as far as tinygltf needs it, and changes what of its JSON it would not take, or take
+/// wrongly.
 void prepare(const GltfFile& file, std::vector<std::uint8_t>& bytes) {
-    const std::string_view json =
-        isBinary(bytes) ? checkGlb(file, bytes)
-                        : std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-    if (jsonDepth(json) > maxJsonDepth)
-        file.fail("JSON", fmt::format("at most {} nested levels", maxJsonDepth),
-                  fmt::format("{}", jsonDepth(json)));
-    if (std::optional<std::string> changed = withoutCompressionGaps(json)) {
-        if (isBinary(bytes))
-            replaceJson(bytes, std::move(*changed));
-        else
-            bytes.assign(changed->begin(), changed->end());
-    }
+    if (const int depth = jsonDepth(jsonOf(file, bytes)); depth > maxJsonDepth)
+        file.fail("JSON", fmt::format("at most {} nested levels", maxJsonDepth), fmt::format("{}", depth));
+    for (const auto change : {withoutCompressionGaps, withEscapedUris})
+        if (std::optional<std::string> changed = change(jsonOf(file, bytes))) {
+            if (isBinary(bytes))
+                replaceJson(bytes, std::move(*changed));
+            else
+                bytes.assign(changed->begin(), changed->end());
+        }
     if (bytes.size() > std::numeric_limits<std::uint32_t>::max())
         file.fail("glTF", "a file below 4 GiB", fmt::format("{} bytes", bytes.size()));
 }
