@@ -9,6 +9,7 @@
 
 #include "core/Error.h"
 #include "engine/Warnings.h"
+#include "io/Files.h"
 
 namespace limpid::apps {
 
@@ -36,6 +37,12 @@ void addCommonOptions(CLI::App& command, CommonOptions& options) {
     command.add_option("--set", options.settings, "KEY=VALUE: change any key of the scene (repeatable)")
         ->allow_extra_args(false)
         ->take_all();
+    command
+        .add_option("--without", options.without,
+                    "PATTERN: leave nodes, meshes and materials of that name out of a model, such as "
+                    "\"Water*\" (repeatable)")
+        ->allow_extra_args(false)
+        ->take_all();
     command.add_flag("--no-skip", options.noSkip,
                      "do all work that skipping would save; the result is the same");
     command.add_option("--device", options.device,
@@ -61,6 +68,12 @@ io::SceneDocument loadDocument(const CommonOptions& options) {
     if (!options.godrays.empty()) overrides.push_back({"godrays.method", options.godrays});
     if (options.planes) overrides.push_back({"caustics.planes", std::to_string(*options.planes)});
     if (options.mapSize) overrides.push_back({"caustics.map_size", std::to_string(*options.mapSize)});
+    if (!options.without.empty() && !io::isModelFile(options.input))
+        throw InputError(
+            fmt::format("--without: expected a model (.glb, .gltf) as input, found {}; in a scene it "
+                        "is a receiver's key, without = [\"{}\"]",
+                        io::oneLine(options.input), io::oneLine(options.without.front())));
+    if (!options.without.empty()) overrides.push_back(io::leavingOut(options.without));
     return io::SceneDocument(options.input, overrides);
 }
 

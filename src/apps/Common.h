@@ -21,6 +21,7 @@ struct CommonOptions {
     std::optional<int> planes;
     std::optional<int> mapSize;
     std::vector<std::string> settings; ///< KEY=VALUE
+    std::vector<std::string> without;  ///< patterns of names, for a model alone
     bool noSkip = false;
     std::string device;
     double gpuMemory = 0; ///< MiB; 0: no limit

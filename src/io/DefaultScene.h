@@ -1,5 +1,7 @@
 #pragma once
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include <toml++/toml.h>
 
@@ -11,5 +13,9 @@ namespace limpid::io {
 /// in proportion to its bounds. Its own lights stand for the sun if any of them gets into the water, and its
 /// first camera for ours if that sees the model. A table, so that `--set` reaches every entry of it.
 toml::table defaultScene(const std::filesystem::path& file, const Model& model);
+
+/// Notices of the model's lights and cameras that its default scene does without, with the reason.
+std::vector<std::string> unusedViews(const std::filesystem::path& file, const Model& model,
+                                     const toml::table& scene);
 
 } // namespace limpid::io

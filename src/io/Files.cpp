@@ -32,6 +32,13 @@ std::string oneLine(std::string_view text, std::size_t limit) {
     return line.substr(0, end) + "…";
 }
 
+std::string lowerCaseSuffix(const fs::path& file) {
+    std::string suffix = file.extension().string();
+    for (char& c : suffix)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return suffix;
+}
+
 void requireFile(const fs::path& file) {
     std::error_code error;
     const fs::file_status status = fs::status(file, error);

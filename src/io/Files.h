@@ -16,6 +16,9 @@ namespace limpid::io {
 /// `limit` bytes.
 std::string oneLine(std::string_view text, std::size_t limit = 200);
 
+/// The suffix of a file's name, dot included, its ASCII letters in lower case: names come in capitals, too.
+std::string lowerCaseSuffix(const std::filesystem::path& file);
+
 /// Throws InputError unless `file` is a regular file that is not empty.
 void requireFile(const std::filesystem::path& file);
 

@@ -11,6 +11,7 @@
 #include "io/Files.h"
 #include "io/GltfCompressed.h"
 #include "io/GltfDraco.h"
+#include "io/GltfExtensions.h"
 #include "io/GltfMeshopt.h"
 #include "io/GltfUris.h"
 
@@ -148,26 +149,6 @@ void replaceJson(std::vector<std::uint8_t>& glb, std::string json) {
     putU32(glb, glbHeaderSize, json.size());
 }
 
-constexpr std::string_view supportedExtensions[] = {"KHR_mesh_quantization",      "KHR_texture_transform",
-                                                    "KHR_draco_mesh_compression", "EXT_meshopt_compression",
-                                                    "KHR_meshopt_compression",    "EXT_mesh_gpu_instancing",
-                                                    "KHR_lights_punctual"};
-
-/// Extensions that change only how a surface looks may be required and still be left out.
-bool isSupported(std::string_view extension) {
-    return std::find(std::begin(supportedExtensions), std::end(supportedExtensions), extension) !=
-               std::end(supportedExtensions) ||
-           extension.starts_with("KHR_materials_");
-}
-
-void checkExtensions(const GltfFile& file) {
-    for (const std::string& extension : file.model.extensionsRequired)
-        if (!isSupported(extension))
-            file.fail("extensionsRequired",
-                      fmt::format("{} or KHR_materials_*", fmt::join(supportedExtensions, ", ")),
-                      fmt::format("\"{}\"", oneLine(extension, 80)));
-}
-
 void checkVersion(const GltfFile& file) {
     const tinygltf::Asset& asset = file.model.asset;
     if (!asset.version.starts_with("2."))
@@ -212,7 +193,8 @@ void parse(GltfFile& file, const std::vector<std::uint8_t>& bytes, FolderAccess&
     } catch (const std::exception& failure) {
         error += failure.what();
     }
-    checkExtensions(file); // before tinygltf's own error, which an unknown extension may be the cause of
+    // Before tinygltf's own error, which an unknown extension may be the cause of.
+    checkRequiredExtensions(file);
     if (good) return;
     if (!access.refused.empty() && error.find("File not found") != std::string::npos)
         file.fail("buffers", "a file inside of the model's folder",
