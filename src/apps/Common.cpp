@@ -124,19 +124,20 @@ void printFlux(const io::Bake& bake) {
             light.rejected, light.residual, light.entering > 0 ? 100 * light.residual / light.entering : 0.0);
 }
 
-void printWork(Engine& engine, gl::Context& context) {
-    fmt::print("GPU: {}\n", context.info().renderer);
+void printWork(Engine& engine, gl::Context& context, std::FILE* out) {
+    fmt::print(out, "GPU: {}\n", context.info().renderer);
     for (const auto& [pass, ms] : engine.timers().collect())
-        fmt::print("  {:<18} {:10.2f} ms\n", pass, ms);
+        fmt::print(out, "  {:<18} {:10.2f} ms\n", pass, ms);
     for (const ReceiverMaps& maps : engine.maps())
-        fmt::print("  {} in {}: {} of {} planes\n", engine.scene().receivers[std::size_t(maps.receiver)].name,
+        fmt::print(out, "  {} in {}: {} of {} planes\n",
+                   engine.scene().receivers[std::size_t(maps.receiver)].name,
                    engine.scene().lights[std::size_t(maps.light)].name, maps.level.planes.size(),
                    maps.level.requestedPlanes);
     for (const auto& [kind, count] : engine.skipped().byKind())
-        fmt::print("  {:<22} {:6} skipped\n", kind, count);
+        fmt::print(out, "  {:<22} {:6} skipped\n", kind, count);
     for (const auto& [kind, bytes] : context.ledger().byKind())
-        fmt::print("  {:<18} {:10.2f} MiB\n", kind, double(bytes) / (1 << 20));
-    fmt::print("  {:<18} {:10.2f} MiB, at most {:.2f} MiB\n", "total",
+        fmt::print(out, "  {:<18} {:10.2f} MiB\n", kind, double(bytes) / (1 << 20));
+    fmt::print(out, "  {:<18} {:10.2f} MiB, at most {:.2f} MiB\n", "total",
                double(context.ledger().total()) / (1 << 20), double(context.ledger().peak()) / (1 << 20));
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdio>
 #include <optional>
 #include <string>
 #include <vector>
@@ -47,8 +48,8 @@ glm::ivec2 parseSize(const std::string& text);
 /// The scene's warnings on stderr, unless quiet.
 void printWarnings(const Engine& engine, const CommonOptions& options);
 
-/// GPU time by pass, planes, GPU bytes by kind, on stdout.
-void printWork(Engine& engine, gl::Context& context);
+/// GPU time by pass, planes, GPU bytes by kind.
+void printWork(Engine& engine, gl::Context& context, std::FILE* out = stdout);
 
 /// Whether a program of that name is on the path.
 bool onPath(const std::string& program);
