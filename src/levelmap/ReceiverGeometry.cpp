@@ -12,8 +12,8 @@ struct Vertex {
     glm::vec2 uv, normalUv;
     glm::u16vec4 color; // linear: eight bits would show steps in the dark
 };
-enum MaterialUniform { BaseColorFactor = 16, AlphaCutoff = 17, NormalScale = 18 };
-constexpr GLuint baseColorUnit = 0, normalMapUnit = 4;
+enum MaterialUniform { BaseColorFactor = 16, AlphaCutoff = 17, NormalScale = 18, EmissionFactor = 19 };
+constexpr GLuint baseColorUnit = 0, normalMapUnit = 4, emissionUnit = 8;
 
 /// Alpha below it is a hole; 0: none.
 float alphaCutoff(const Material& material, float ofBlended) {
@@ -115,6 +115,10 @@ void ReceiverGeometry::drawPart(std::size_t index, const gl::Program& program, G
     program.set(NormalScale, material.normalImage >= 0 ? material.normalScale : 0.0f);
     bindTexture(material.baseColorImage >= 0 ? _images[std::size_t(material.baseColorImage)] : _white,
                 baseColorUnit, material.baseColorWrapS, material.baseColorWrapT, material.baseColorNearest);
+    program.set(EmissionFactor, material.emission);
+    bindTexture(material.emissionImage >= 0 ? _images[std::size_t(material.emissionImage)] : _white,
+                emissionUnit, material.emissionWrapS, material.emissionWrapT,
+                material.emissionImage == material.baseColorImage && material.baseColorNearest);
     if (material.normalImage >= 0)
         bindTexture(_images[std::size_t(material.normalImage)], normalMapUnit, material.normalWrapS,
                     material.normalWrapT);
