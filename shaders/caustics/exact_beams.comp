@@ -16,9 +16,10 @@ layout(location = 1) uniform float stepsPerFlux;      // of the sums
 layout(location = 2) uniform vec3 extinctionPerMetre;
 #endif
 #ifdef SHADED
-#include "include/scene_depth.glsl"
+#include "include/occluders.glsl"
 layout(location = 3) uniform int testOcclusion;       // 0: nothing can be before the receiver
 layout(location = 4) uniform int testSurfaceShadow;   // 0: nothing stands out of the water
+layout(location = 5) uniform int receiverNumber;
 layout(std430, binding = 9) readonly buffer BeamLit { float lit[]; };
 #endif
 
@@ -41,36 +42,31 @@ struct Leant {
 float depthOf(vec2 place, float upright) { return upright + dot(boxShear.xy * boxExtent.w, place); }
 
 #ifdef SHADED
-// How far aside a ray starts from where the mean light to its point at a depth does, m.
-float asideOf(vec4 ray, float start, vec4 leant, float upright) {
+vec3 rayStart(vec4 ray, float start) { return boxPoint(vec3((ray.xy + start * ray.zw) * boxExtent.w, start)); }
+vec3 rayEnd(vec4 leant, float upright) {
     vec2 place = leant.xy + upright * leant.zw;
-    vec3 to = boxPoint(vec3(place * boxExtent.w, depthOf(place, upright)));
-    vec3 from = boxPoint(vec3((ray.xy + start * ray.zw) * boxExtent.w, start));
-    return distance(entryPoint(from).xz, entryPoint(to).xz);
+    return boxPoint(vec3(place * boxExtent.w, depthOf(place, upright)));
 }
 
-float greatestAside(Quad quad, Leant leant, float upright) {
-    return max(max(asideOf(quad.p, quad.starts.x, leant.p, upright), asideOf(quad.q, quad.starts.y, leant.q, upright)),
-               max(asideOf(quad.r, quad.starts.z, leant.r, upright), asideOf(quad.s, quad.starts.w, leant.s, upright)));
+// All of a quad's light, down to this depth.
+Pencil pencilTo(Quad quad, Leant leant, float upright) {
+    return pencilOf(mat4x3(rayStart(quad.p, quad.starts.x), rayStart(quad.q, quad.starts.y), rayStart(quad.r, quad.starts.z),
+                           rayStart(quad.s, quad.starts.w)),
+                    mat4x3(rayEnd(leant.p, upright), rayEnd(leant.q, upright), rayEnd(leant.r, upright), rayEnd(leant.s, upright)), vec3(0.0));
 }
 
 const int arrives = 0, taken = 1, unsure = 2;
 
 // What becomes of a quad's light on its way to the texels between two depths.
-int fateOf(Quad quad, int index, Leant leant, Slab slab, vec2 depths) {
+int fateOf(Quad quad, int index, Leant leant, vec2 depths) {
     if (testSurfaceShadow != 0) {
         vec2 share = vec2(lit[2 * index], lit[2 * index + 1]);
         if (share == vec2(0.0)) return taken;
         if (share != vec2(1.0)) return unsure;
     }
     if (testOcclusion == 0) return arrives;
-    // Between the corners' rays and between the depths nothing is further aside than at them, but for what a lamp's
-    // rays bend; a texel is asked for at its part of the beam, and on a further map beside its face.
-    float beside = (boxSize.w & 7) != 0 ? 2.0 * sceneDepthTexel() : 0.0;
-    float aside = max(greatestAside(quad, leant, depths.x), greatestAside(quad, leant, depths.y));
-    aside = 1.05 * aside + 0.5 * boxExtent.w + beside;
-    vec2 certain = depthNode(depthPyramid, slab.low, slab.high).zw;
-    return aside < certain.x ? arrives : aside < certain.y ? taken : unsure;
+    Target target = targetOf(receiverNumber, length(boxShear.xy), (depths.y - depths.x) * boxT.xyz);
+    return mayBeTaken(pencilTo(quad, leant, depths.y), target) ? unsure : arrives;
 }
 #endif
 
@@ -123,7 +119,7 @@ void main() {
         if (!settle(leant.p, leant.q, leant.r, leant.s, slab, depths)) return;
         onPlane = depths.y - depths.x <= flatness * boxExtent.w && texelsOf(slab) <= mostTexels;
 #ifdef SHADED
-        int fate = fateOf(quad, index, leant, slab, depths);
+        int fate = fateOf(quad, index, leant, depths);
         if (fate == taken) return;
         if (fate == unsure) list = isWide(quad) ? wide : shaded, onPlane = false;
     } else {

@@ -9,7 +9,7 @@ layout(local_size_x = 64) in;
 layout(location = 6) uniform int list;
 
 bool leaveSlab(int index, int number, Slab slab) { return leaveToMany(index, number, slab.low, slab.high); }
-void visit(Quad quad, int index, ivec2 texel) { touch(quad, texel); }
+void visit(Quad quad, int index, ivec2 texel) { touch(quad, index, texel); }
 
 #ifdef LARGE
 // One work group a tile.

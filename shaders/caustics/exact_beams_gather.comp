@@ -13,7 +13,7 @@ bool leaveSlab(int index, int number, Slab slab) { return false; }
 
 // Few quads touch more texels: those are walked a second time.
 const int mostKept = 32;
-int found, place; // touches of the quad so far; where they go, < 0 in the first walk
+int found = 0, place = -1; // touches of the quad so far; where they go, < 0 in the first walk
 int kept[mostKept];
 
 void visit(Quad quad, int index, ivec2 texel) {

@@ -10,6 +10,6 @@ void main() {
     for (int i = int(gl_GlobalInvocationID.x); i < count; i += step) {
         Quad quad;
         if (!loadQuad(touches[i].x, quad)) continue;
-        touch(quad, ivec2(touches[i].y % boxSize.x, touches[i].y / boxSize.x));
+        touch(quad, touches[i].x, ivec2(touches[i].y % boxSize.x, touches[i].y / boxSize.x));
     }
 }

@@ -1,6 +1,7 @@
 // The low-pass filter over splats (Papadopoulos and Papaioannou 2009, 3.5): a texel takes the mean irradiance of itself
 // and a few taps around it that show the same surface; the taps turn from texel to texel.
-// In: sums of the splats, level map. Out: filtered sums; behind those of the texels, for each channel, what the splats
+// Texels to which no photon came but some were taken on their way lie in the shade: they stay dark and give nothing.
+// In: sums of the splats and marks of shade behind them, level map. Out: filtered sums; behind those of the texels, for each channel, what the splats
 // and what the filtered ones come to, so that resolving can give back what the mean took or added.
 #include "include/photon_place.glsl"
 #include "include/flux_sums.glsl"
@@ -8,7 +9,8 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(std430, binding = 9) readonly buffer SplatSums { uint splats[]; };
 layout(location = 0) uniform int channels;
 layout(location = 1) uniform int taps;
-layout(location = 2) uniform float radius; // texels
+layout(location = 2) uniform float radius;   // texels
+layout(location = 3) uniform int shadeMarks; // word of `splats` where marks of shaded texels begin
 
 const float tau = 6.28318530717958648;
 shared vec3 before[64], after[64];
@@ -29,6 +31,8 @@ vec3 splatAt(ivec2 texel) {
     return sum;
 }
 
+bool isShaded(ivec2 texel, vec3 light) { return light == vec3(0.0) && splats[shadeMarks + texel.y * boxSize.x + texel.x] != 0u; }
+
 // A texel's share of surface is larger where it is steep.
 float facingAt(ivec2 texel) {
     return max(abs(dot(octahedralDecode(texelFetch(normalMap, texel, 0).xy), boxT.xyz)), leastFacing);
@@ -38,13 +42,15 @@ void filterTexel(ivec2 texel, uint number) {
     vec3 own = splatAt(texel);
     before[number] = own;
     TexelPlane plane = planeAt(texel);
-    if (!plane.there) return;
+    if (!plane.there || isShaded(texel, own)) return;
     float facing = facingAt(texel), count = 1.0;
     vec3 sum = own * facing;
     for (int i = 0; i < taps; ++i) {
         ivec2 at = tap(texel, i);
         if (!sameSurface(at, plane, texel, radius)) continue;
-        sum += splatAt(at) * facingAt(at);
+        vec3 light = splatAt(at);
+        if (isShaded(at, light)) continue;
+        sum += light * facingAt(at);
         count += 1.0;
     }
     after[number] = floor(sum / (count * facing) + 0.5);

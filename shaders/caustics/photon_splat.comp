@@ -1,15 +1,19 @@
-// Photons through the water onto what a level map shows (Papadopoulos and Papaioannou 2009, 3.3). A thread has one cell
-// of the photon grid and cuts it up; a photon is refracted as the beam that it goes through, its landing is found by
+// Photons through the water onto what a level map shows (Papadopoulos and Papaioannou 2009, 3.3). A photon is refracted as the beam that it goes through, its landing is found by
 // Newton's iteration on the level map (Shah and Konttinen 2007), and its flux is shared out among the texels of a square
-// splat that show the surface it landed on, so that none of it is lost over an edge. What is in a photon's way is asked
-// for in its own direction, in the scene depth map.
-// In: beams, tangent planes, scene depth map. Out: flux sums.
-#include "include/photon_place.glsl"
+// splat that show the surface it landed on, so that none of it is lost over an edge. A photon stands for parallel rays to all
+// of its splat; where some triangle may be in their way (occluders.glsl), it is left to a second pass, which asks for each
+// texel; as is a splat of very many texels.
+// In: beams, tangent planes, occluders. Out: flux sums, list of the photons left. SHADED: the second pass, over that list.
+// VEILS: some occluders let part of the light through.
 #include "include/photon_ray.glsl"
-#include "include/occlusion.glsl"
+#include "include/splat_shade.glsl"
 #include "include/surface_shadow.glsl"
 #include "include/flux_sums.glsl"
+#ifdef SHADED
+layout(local_size_x = 32) in;
+#else
 layout(local_size_x = 64) in;
+#endif
 layout(location = 5) uniform float stepsPerFlux;
 layout(location = 6) uniform vec3 extinctionPerMetre;
 layout(location = 7) uniform int channels;       // 1 or 3
@@ -17,7 +21,28 @@ layout(location = 8) uniform vec4 splat;         // a and b of a + b / d in texe
 layout(location = 9) uniform int testSurfaceShadow;
 layout(location = 10) uniform int testOcclusion; // 0: nothing can be before the receiver
 layout(location = 11) uniform int receiverNumber;
+layout(location = 12) uniform int shadeMarks;    // word of `sums` where marks of shaded texels begin, one each; 0: none
 
+layout(location = 13) uniform int firstPhoton;   // of the first pass: subdivision² a cell
+layout(location = 14) uniform int endPhoton;
+// Photons that something may be in the way of, or whose splat has many texels: where they land and what they may meet.
+struct LeftPhoton {
+    int number;
+    float metres;
+    int texel;   // row by row
+    float parts, apart; // of its splat
+    int found;          // triangles; < 0: more than these
+    int spare[2];
+    int triangles[mostShadows];
+};
+layout(std430, binding = 11) buffer PhotonsLeft {
+    uint leftGroups[3]; // to dispatch: a work group a photon
+    uint leftCount;
+    LeftPhoton left[]; // room for all of a pass
+};
+
+// Texels of a splat that one invocation sees to.
+const int mostAlone = 1024;
 const int newtonSteps = 8;
 const int marchSteps = 64, halvings = 12;
 
@@ -89,52 +114,106 @@ Landing byMarch(Ray ray) {
     return nowhere;
 }
 
-// Whether something else is in the photon's way.
-bool isInShade(Photon photon, Landing landing) {
-    if (testOcclusion == 0) return false;
-    TexelPlane plane = planeAt(landing.texel);
-    vec3 point = photon.from + landing.metres * photon.direction;
-    point += besideFace(octahedralDecode(texelFetch(normalMap, landing.texel, 0).xy));
-    return isShaded(photon.from, point, plane.certain, length(plane.rise), receiverNumber);
+Splat splatOf(Ray ray, Landing landing) {
+    float size = clamp(splat.x + splat.y / max(landing.metres, 1e-9), splat.z, splat.w);
+    return splatAt((ray.origin.xy + landing.metres * ray.direction.xy) / boxExtent.w, size, landing.texel);
 }
 
-float overlap(float low, float high, int texel) { return clamp(min(high, float(texel + 1)) - max(low, float(texel)), 0.0, 1.0); }
+// The receiver's own surface is no obstacle within what its texels are off the plane.
+Target targetOf(Splat square, vec3 back) {
+    vec3 lean = boxT.xyz - square.plane.rise.x * boxU.xyz - square.plane.rise.y * boxW.xyz;
+    vec4 plane = vec4(lean, -dot(lean, placeOf(square, middleOf(square))));
+    float near = square.asOne ? 0.0 : 2.0 * square.apart;
+    return Target(receiverNumber, length(square.plane.rise), near * normalize(back), plane, 4.0 * near + 2.0 * boxExtent.w);
+}
 
-// Adds a photon to the texels of its splat that show the same surface.
-void deposit(Photon photon, Ray ray, Landing landing) {
-    float size = clamp(splat.x + splat.y / max(landing.metres, 1e-9), splat.z, splat.w);
-    vec2 middle = (ray.origin.xy + landing.metres * ray.direction.xy) / boxExtent.w;
-    vec2 low = middle - 0.5 * size, high = middle + 0.5 * size;
-    ivec2 first = ivec2(floor(low)), last = ivec2(floor(high));
-    TexelPlane plane = planeAt(landing.texel);
-    float weights = 0.0;
-    for (int y = first.y; y <= last.y; ++y)
-        for (int x = first.x; x <= last.x; ++x)
-            if (sameSurface(ivec2(x, y), plane, landing.texel, 0.5 * size)) weights += overlap(low.x, high.x, x) * overlap(low.y, high.y, y);
-    float arriving = photon.flux;
-    if (testSurfaceShadow != 0) arriving *= surfaceVisibility(photon.from, 0.0);
-    vec3 steps = arriving * stepsPerFlux * extinction(extinctionPerMetre, landing.metres);
-    if (!(weights > 1e-6)) { // all of the square is beside the surface: its own texel has it
-        for (int c = 0; c < channels; ++c) addFlux(channels * (landing.texel.y * boxSize.x + landing.texel.x) + c, steps[c]);
-        return;
+// What a photon carries to the texels of its splat that show the same surface.
+struct Deposit {
+    Splat square;
+    vec3 steps; // by channel, less what the water takes
+    vec3 back;  // from where it lands to where it started, m
+};
+
+Photon photonNumber(int number) {
+    int each = subdivision * subdivision;
+    return photonOf(number / each, number % each);
+}
+
+Deposit depositOf(Photon photon, Landing landing) {
+    float flux = photon.flux * (testSurfaceShadow != 0 ? surfaceVisibility(photon.from, 0.0) : 1.0);
+    vec3 steps = flux * stepsPerFlux * extinction(extinctionPerMetre, landing.metres);
+    return Deposit(splatOf(Ray(boxLocal(photon.from), boxDirection(photon.direction)), landing), steps, -landing.metres * photon.direction);
+}
+
+void add(ivec2 texel, vec3 amount) {
+    for (int c = 0; c < channels; ++c)
+        if (amount[c] > 0.0) addFlux(channels * (texel.y * boxSize.x + texel.x) + c, amount[c]);
+}
+
+// A splat all of which is beside the surface: its own texel has it.
+bool isBeside(float parts) { return !(parts > 1e-6); }
+
+#ifdef SHADED
+// One work group a photon, an invocation every 32nd texel.
+void main() {
+    int lane = int(gl_LocalInvocationIndex);
+    LeftPhoton here = left[gl_WorkGroupID.x];
+    Deposit d = depositOf(photonNumber(here.number), Landing(here.metres, ivec2(here.texel % boxSize.x, here.texel / boxSize.x)));
+    d.square.apart = here.apart;
+    Target target = targetOf(d.square, d.back);
+    ivec2 span = d.square.last - d.square.first + 1;
+    int count = span.x * span.y;
+    findShadows(d.square, d.back, target, here.found, here.triangles);
+    bool beside = isBeside(here.parts), asOne = beside || d.square.asOne;
+    vec3 share = asOne ? arrivingAt(d.square, middleOf(d.square), 0.0, d.back, target) : vec3(1.0);
+    for (int i = lane; i < (beside ? min(count, 1) : count); i += 32) {
+        ivec2 texel = beside ? d.square.landed : d.square.first + ivec2(i % span.x, i / span.x);
+        float part = beside ? 1.0 : partOf(d.square, texel) / here.parts;
+        if (part == 0.0) continue;
+        if (!asOne) share = arrivingAt(d.square, vec2(texel) + 0.5, belowPlane(d.square, texel), d.back, target);
+        if (shadeMarks > 0 && share == vec3(0.0)) atomicOr(sums[shadeMarks + texel.y * boxSize.x + texel.x], 1u);
+        add(texel, part * d.steps * share);
     }
+}
+#else
+void deposit(Deposit d) {
+    bool beside = isBeside(d.square.parts);
+    ivec2 first = beside ? d.square.landed : d.square.first, last = beside ? d.square.landed : d.square.last;
     for (int y = first.y; y <= last.y; ++y)
         for (int x = first.x; x <= last.x; ++x) {
-            float weight = overlap(low.x, high.x, x) * overlap(low.y, high.y, y);
-            if (weight == 0.0 || !sameSurface(ivec2(x, y), plane, landing.texel, 0.5 * size)) continue;
-            for (int c = 0; c < channels; ++c) addFlux(channels * (y * boxSize.x + x) + c, steps[c] * (weight / weights));
+            float part = beside ? 1.0 : partOf(d.square, ivec2(x, y)) / d.square.parts;
+            if (part > 0.0) add(ivec2(x, y), part * d.steps);
         }
 }
 
-void main() {
-    int cell = int(gl_GlobalInvocationID.y * gl_NumWorkGroups.x * gl_WorkGroupSize.x + gl_GlobalInvocationID.x);
-    if (cell >= cells.x * cells.y) return;
-    for (int i = 0; i < subdivision * subdivision; ++i) {
-        Photon photon = photonOf(cell, i);
-        Ray ray = Ray(boxLocal(photon.from), boxDirection(photon.direction));
-        if (photon.flux <= 0.0 || ray.direction.z < 0.02) continue;
-        Landing landing = byNewton(ray);
-        if (landing.metres < 0.0) landing = byMarch(ray);
-        if (landing.metres >= 0.0 && !isInShade(photon, landing)) deposit(photon, ray, landing);
-    }
+// Finds what may be in the photon's way, if anything.
+void leave(int number, Landing landing, Splat square) {
+    LeftPhoton entry;
+    entry.parts = square.parts, entry.apart = square.apart;
+    entry.number = number, entry.metres = landing.metres, entry.texel = landing.texel.y * boxSize.x + landing.texel.x;
+    entry.found = foundCount <= mostShadows ? foundCount : -1;
+    for (int i = 0; i < mostShadows; ++i) entry.triangles[i] = foundTriangles[i];
+    uint slot = atomicAdd(leftCount, 1u);
+    atomicMax(leftGroups[0], slot + 1u);
+    left[slot] = entry;
 }
+
+void main() {
+    int number = firstPhoton + int(gl_GlobalInvocationID.y * gl_NumWorkGroups.x * gl_WorkGroupSize.x + gl_GlobalInvocationID.x);
+    if (number >= endPhoton) return;
+    Photon photon = photonNumber(number);
+    Ray ray = Ray(boxLocal(photon.from), boxDirection(photon.direction));
+    if (photon.flux <= 0.0 || ray.direction.z < 0.02) return;
+    Landing landing = byNewton(ray);
+    if (landing.metres < 0.0) landing = byMarch(ray);
+    if (landing.metres < 0.0) return;
+    Deposit d = depositOf(photon, landing);
+    for (int y = d.square.first.y; y <= d.square.last.y; ++y)
+        for (int x = d.square.first.x; x <= d.square.last.x; ++x) countTexel(d.square, ivec2(x, y));
+    ivec2 span = d.square.last - d.square.first + 1;
+    foundCount = 0;
+    bool mayBeShaded = testOcclusion != 0 && mayBeTaken(raysTo(d.square, d.back), targetOf(d.square, d.back));
+    if (mayBeShaded || span.x * span.y > mostAlone) leave(number, landing, d.square);
+    else deposit(d);
+}
+#endif

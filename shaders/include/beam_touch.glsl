@@ -1,6 +1,6 @@
 // What one texel takes of a quad's beams: cut at the texel's own tangent plane (physics.md, point 5: exact on flat faces,
 // and free of 1/area at a focus), less what the light loses on its way. EXTINCTION: water takes light. SHADED: something
-// may shade the quad.
+// may shade the quad (beam_shade.glsl).
 #include "include/beam_cut.glsl"
 #include "include/beam_sheet.glsl"
 #include "include/beam_deposit.glsl"
@@ -10,29 +10,25 @@ layout(location = 1) uniform float stepsPerFlux;      // of the sums
 layout(location = 2) uniform vec3 extinctionPerMetre;
 #endif
 #ifdef SHADED
-#include "include/occlusion.glsl"
-#include "include/octahedral.glsl"
+#include "include/beam_shade.glsl"
 #include "include/surface_shadow.glsl"
-layout(binding = 7) uniform sampler2D normalMap;      // RG16
 layout(location = 3) uniform int testOcclusion;       // 0: nothing can be before the receiver
 layout(location = 4) uniform int testSurfaceShadow;   // 0: nothing stands out of the water
 layout(location = 5) uniform int receiverNumber;
 #endif
 #ifdef SHADED
-// The share of the light that arrives at a place of the texel, from `from` at the surface.
-float arriving(vec3 from, vec2 at, float depth, vec4 plane, ivec2 texel) {
-    if (testOcclusion != 0) {
-        vec3 to = boxPoint(vec3(at * boxExtent.w, depth));
-        if ((boxSize.w & 7) != 0) to += besideFace(octahedralDecode(texelFetch(normalMap, texel, 0).xy));
-        if (isShaded(from, to, plane.w, length(plane.yz) / boxExtent.w, receiverNumber)) return 0.0;
-    }
-    return testSurfaceShadow != 0 ? surfaceVisibility(from, 0.0) : 1.0;
+// The share of the light that arrives at the texel, whose middle comes from `from` at the surface.
+vec3 arriving(Quad quad, int index, Sheet sheet, vec2 low, vec2 high, vec4 plane, ivec2 texel, vec3 from) {
+    vec3 share = vec3(testSurfaceShadow != 0 ? surfaceVisibility(from, 0.0) : 1.0);
+    if (testOcclusion == 0 || share == vec3(0.0)) return share;
+    float slope = length(texelFetch(tangentPlanes, texel, 0).yz) / boxExtent.w;
+    return share * passingShare(BeamPart(sheet, low, high, plane, texel, rayStarts(quad)), index, targetOf(receiverNumber, slope, vec3(0.0)));
 }
 #endif
 
 #if defined(EXTINCTION) || defined(SHADED)
 // What is left of the light on its way to the texel, by channel.
-vec3 leftOf(Quad quad, Sheet sheet, vec2 low, vec2 high, vec4 plane, ivec2 texel) {
+vec3 leftOf(Quad quad, int index, Sheet sheet, vec2 low, vec2 high, vec4 plane, ivec2 texel) {
     vec2 middle = middleIn(sheet, low, high);
     vec4 weights = weightsAt(sheet, middle);
     vec2 part = sheet.origin + middle;
@@ -42,7 +38,7 @@ vec3 leftOf(Quad quad, Sheet sheet, vec2 low, vec2 high, vec4 plane, ivec2 texel
 #ifdef SHADED
     vec2 at = vec2(texel) + part;
     vec3 from = boxPoint(vec3((at - slope * (depth - start)) * boxExtent.w, start));
-    left *= arriving(from, at, depth, plane, texel);
+    left *= arriving(quad, index, sheet, low, high, plane, texel, from);
 #endif
 #ifdef EXTINCTION
     left *= extinction(extinctionPerMetre, (depth - start) * length(vec3(slope * boxExtent.w, 1.0)));
@@ -51,7 +47,7 @@ vec3 leftOf(Quad quad, Sheet sheet, vec2 low, vec2 high, vec4 plane, ivec2 texel
 }
 #endif
 
-void touch(Quad quad, ivec2 texel) {
+void touch(Quad quad, int index, ivec2 texel) {
     Cut cut = cutAt(quad, texel);
     if (!mayTouch(cut)) return;
     Sheet sheet = sheetOf(cut.p, cut.q, cut.r, cut.s, quad.flux * (cut.cosine * stepsPerFlux));
@@ -60,7 +56,7 @@ void touch(Quad quad, ivec2 texel) {
     float amount = fluxIn(sheet, low, high);
     if (!(amount > 0.0)) return;
 #if defined(EXTINCTION) || defined(SHADED)
-    deposit(texel, amount * leftOf(quad, sheet, low, high, cut.plane, texel));
+    deposit(texel, amount * leftOf(quad, index, sheet, low, high, cut.plane, texel));
 #else
     deposit(texel, vec3(amount));
 #endif

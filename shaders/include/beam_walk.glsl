@@ -6,6 +6,13 @@ void visit(Quad quad, int index, ivec2 texel);
 // Whether a slab of many texels is left to a later pass; `number` says which slab of the quad it is.
 bool leaveSlab(int index, int number, Slab slab);
 
+// Texels of a slab that one invocation walks. Shade may ask for hundreds of triangles at each of them.
+#ifdef SHADED
+const int mostWalked = 4;
+#else
+const int mostWalked = mostTexels;
+#endif
+
 // Of a tile: the depths of the quad were found as one slab.
 const int settled = -1;
 
@@ -16,7 +23,7 @@ void visitWithin(Quad quad, int index, Slab slab, ivec2 texel) {
 
 void walkSlab(Quad quad, Slab slab, int index, int number) {
     int count = texelsOf(slab);
-    if (count > mostTexels && leaveSlab(index, number, slab)) return;
+    if (count > mostWalked && leaveSlab(index, number, slab)) return;
     ivec2 texel = slab.low;
     for (int i = 0; i < count; ++i) {
         visitWithin(quad, index, slab, texel);

@@ -8,7 +8,6 @@ layout(binding = 2) uniform sampler2D normalMap;     // RG16
 struct TexelPlane {
     float depth;
     vec2 rise;
-    float certain; // as certainAside of occlusion.glsl has it
     bool there;    // false: no receiver
 };
 
@@ -19,10 +18,10 @@ const float nowhereDepth = 1e30;
 bool inMap(ivec2 texel) { return all(greaterThanEqual(texel, ivec2(0))) && all(lessThan(texel, boxSize.xy)); }
 
 TexelPlane planeAt(ivec2 texel) {
-    if (!inMap(texel)) return TexelPlane(nowhereDepth, vec2(0.0), 0.0, false);
+    if (!inMap(texel)) return TexelPlane(nowhereDepth, vec2(0.0), false);
     vec4 plane = texelFetch(tangentPlanes, texel, 0);
     vec2 rise = plane.yz / boxExtent.w;
-    return TexelPlane(plane.x, rise / max(leastFacing * length(rise), 1.0), plane.w, plane.x < nowhereDepth);
+    return TexelPlane(plane.x, rise / max(leastFacing * length(rise), 1.0), plane.x < nowhereDepth);
 }
 
 // Metres that a texel's plane lies below a point.
@@ -30,11 +29,14 @@ float metresAbove(TexelPlane plane, ivec2 texel, vec3 q) {
     return plane.depth + dot(plane.rise, q.xy - (vec2(texel) + 0.5) * boxExtent.w) - q.z;
 }
 
+// How far off the plane of `plane` the same surface may be, `reach` texels around where that belongs, m.
+float surfaceSlack(TexelPlane plane, float reach) { return boxExtent.w * (1.0 + reach) * (1.0 + 0.5 * length(plane.rise)); }
+
 // Whether `texel` shows the surface that the plane of `landed` belongs to, `reach` texels around it.
 bool sameSurface(ivec2 texel, TexelPlane plane, ivec2 landed, float reach) {
     if (!inMap(texel)) return false;
     float depth = texelFetch(tangentPlanes, texel, 0).x;
     if (depth >= nowhereDepth) return false;
     float expected = plane.depth + dot(plane.rise, vec2(texel - landed) * boxExtent.w);
-    return abs(depth - expected) <= boxExtent.w * (1.0 + reach) * (1.0 + 0.5 * length(plane.rise));
+    return abs(depth - expected) <= surfaceSlack(plane, reach);
 }

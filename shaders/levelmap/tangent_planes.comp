@@ -1,19 +1,14 @@
 // What a beam is cut with at each texel: the receiver's own tangent plane there.
 // In: position map RG32F, normal map RG16 (level_map.frag).
 // Out 0, RGBA32F: depth of the surface at the texel's centre, m (1e30: no receiver); how that depth grows by a texel
-//        to the right and down, m; how far aside a beam to it may start and surely arrive (negative: surely not), m
-//        (occlusion.glsl).
+//        to the right and down, m; 0.
 // Out 1, RGBA32F, the finest level of the depth pyramid: least and greatest depth of the plane within the texel, less
-//        what the receiver leans (boxShear), m; how far aside a beam may start and surely arrive, and surely not, m
-//        (1e30, -1e30, 1e30, 1e30: no receiver).
+//        what the receiver leans (boxShear), m (1e30, -1e30: no receiver); 0, 0.
 #include "include/box.glsl"
-#include "include/occlusion.glsl"
 #include "include/octahedral.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = 0) uniform sampler2D positionMap;
 layout(binding = 2) uniform sampler2D normalMap;
-layout(location = 0) uniform int testOcclusion; // 0: nothing else can be before it
-layout(location = 1) uniform int receiverNumber;
 layout(rgba32f, binding = 0) uniform writeonly image2D tangentPlanes;
 layout(rgba32f, binding = 1) uniform writeonly image2D depthRange;
 
@@ -28,7 +23,7 @@ void main() {
     vec2 position = texelFetch(positionMap, texel, 0).xy;
     if (position.y == -1.0 || position.y == -3.0) {
         imageStore(tangentPlanes, texel, vec4(1e30, 0.0, 0.0, 0.0));
-        imageStore(depthRange, texel, vec4(1e30, -1e30, 1e30, 1e30));
+        imageStore(depthRange, texel, vec4(1e30, -1e30, 0.0, 0.0));
         return;
     }
     vec3 normal = boxDirection(normalOf(texel));
@@ -38,11 +33,6 @@ void main() {
     vec2 lean = boxShear.xy * boxExtent.w, beside = abs(rise - lean);
     float reach = min(0.5 * (beside.x + beside.y), boxExtent.z);
     float upright = position.x - dot(lean, vec2(texel) + 0.5);
-    float aside = 1e30;
-    if (testOcclusion != 0) {
-        vec3 point = boxPoint(vec3((vec2(texel) + 0.5) * boxExtent.w, position.x));
-        aside = certainAside(point + besideFace(normalOf(texel)), length(rise) / boxExtent.w, receiverNumber);
-    }
-    imageStore(tangentPlanes, texel, vec4(position.x, rise, aside));
-    imageStore(depthRange, texel, vec4(upright - reach, upright + reach, max(aside, 0.0), max(-aside, 0.0)));
+    imageStore(tangentPlanes, texel, vec4(position.x, rise, 0.0));
+    imageStore(depthRange, texel, vec4(upright - reach, upright + reach, 0.0, 0.0));
 }

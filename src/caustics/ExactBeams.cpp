@@ -44,6 +44,10 @@ double fluxPerStepOf(const ExactBeams::Inputs& inputs) {
     return fluxPerStep(inputs.map, inputs.light, inputs.patch, beams);
 }
 
+int sumsATexel(const ExactBeams::Inputs& inputs) {
+    return channelsOf(inputs.colours, inputs.water, inputs.occluders && inputs.occluders->coloured());
+}
+
 } // namespace
 
 ExactBeams::ExactBeams(gl::Context& context)
@@ -53,12 +57,13 @@ ExactBeams::ExactBeams(gl::Context& context)
 const gl::Program& ExactBeams::program(Pass pass, const Variant& variant) {
     std::optional<gl::Program>& program =
         _programs[std::size_t(pass)][std::size_t(variant.extinction) + 2 * std::size_t(variant.coloured) +
-                                     4 * std::size_t(variant.shaded)];
+                                     4 * std::size_t(variant.shaded) + 8 * std::size_t(variant.veiled)];
     if (program) return *program;
     std::vector<std::string> defines;
     if (variant.extinction) defines.emplace_back("EXTINCTION");
     if (variant.coloured) defines.emplace_back("COLOURED");
     if (variant.shaded) defines.emplace_back("SHADED");
+    if (variant.veiled) defines.emplace_back("VEILS");
     if (pass == Pass::Tiles) defines.emplace_back("LARGE");
     constexpr const char* files[] = {"caustics/exact_beams.comp", "caustics/exact_beams_by_texel.comp",
                                      "caustics/exact_beams_gather.comp", "caustics/exact_beams_touches.comp",
@@ -81,12 +86,11 @@ void ExactBeams::bind(const Inputs& inputs) const {
     inputs.map.box.bindUniform(1);
     inputs.planes.planes.bind(0);
     inputs.planes.depthPyramid.bind(2);
-    inputs.map.normal.bind(7);
     inputs.beams.flux.bindStorage(5);
     _footprints.rays().bindStorage(6);
     _footprints.originDepths().bindStorage(7);
     _lists.bindStorage(10);
-    if (inputs.sceneDepth) inputs.sceneDepth->bind();
+    if (inputs.occluders) inputs.occluders->bind();
     if (inputs.beams.surfaceShadow) inputs.beams.surfaceShadow->bind(surfaceShadowUnit);
 }
 
@@ -96,7 +100,7 @@ void ExactBeams::set(const gl::Program& program, const Inputs& inputs, const Var
     if (variant.extinction)
         program.set(ExtinctionPerMetre, glm::vec3(inputs.water.absorption + inputs.water.scattering));
     if (!variant.shaded) return;
-    program.set(TestOcclusion, inputs.sceneDepth ? 1 : 0);
+    program.set(TestOcclusion, inputs.occluders ? 1 : 0);
     program.set(TestSurfaceShadow, inputs.beams.surfaceShadow ? 1 : 0);
 }
 
@@ -120,27 +124,30 @@ void ExactBeams::depositShaded(const Use& use) {
 
 void ExactBeams::bindSums(const Inputs& inputs) {
     const glm::ivec2 size = inputs.map.frame.size;
-    _sums.bind(std::int64_t(size.x) * size.y * channelsOf(inputs.colours, inputs.water));
+    _sums.bind(std::int64_t(size.x) * size.y * sumsATexel(inputs));
 }
 
 void ExactBeams::deposit(const Inputs& inputs) {
     if (inputs.beams.strength == glm::dvec3(0)) return;
     bindSums(inputs);
     const double stepsPerFlux = 1 / (fluxPerStepOf(inputs) * inputs.points);
-    const bool coloured = channelsOf(inputs.colours, inputs.water) > 1;
+    const bool coloured = sumsATexel(inputs) > 1;
     const bool extinction = inputs.water.absorption + inputs.water.scattering != glm::dvec3(0);
-    const bool mayBeShaded = inputs.sceneDepth || inputs.beams.surfaceShadow;
+    const bool mayBeShaded = inputs.occluders || inputs.beams.surfaceShadow;
     const std::int64_t quads = std::int64_t(inputs.surface.quads.x) * inputs.surface.quads.y;
     _footprints.updateRays(inputs.beams, inputs.surface, inputs.map, inputs.culling);
     prepareLists(quads);
     bind(inputs);
     const Use use = [&](Pass pass, bool shaded) -> const gl::Program& {
         const bool deposits = pass != Pass::Gather;
-        const Variant variant{deposits && extinction, deposits && coloured, shaded};
+        // The pass over all quads only asks whether something may be in the way.
+        const bool veiled = pass != Pass::AllQuads && deposits && shaded && inputs.occluders &&
+                            inputs.occluders->veiled();
+        const Variant variant{deposits && extinction, deposits && coloured, shaded, veiled};
         const gl::Program& found = program(pass, variant);
         found.set(Quads, inputs.surface.quads);
         if (deposits) set(found, inputs, variant, stepsPerFlux);
-        if (pass != Pass::AllQuads && shaded) found.set(ReceiverNumber, inputs.receiverNumber);
+        if (deposits && shaded) found.set(ReceiverNumber, inputs.receiverNumber);
         return found;
     };
     inputs.beams.lit.bindStorage(9);
@@ -166,7 +173,7 @@ void ExactBeams::resolve(CausticMap& caustics, const Inputs& inputs) {
     const double fluxPerStep = fluxPerStepOf(inputs);
     _resolve.set(WattsPerStep,
                  glm::vec3(inputs.beams.strength * (fluxPerStep / inputs.map.frame.texelArea())));
-    _resolve.set(Channels, channelsOf(inputs.colours, inputs.water));
+    _resolve.set(Channels, sumsATexel(inputs));
     _resolve.dispatch2D(size, resolveGroupSize);
     glMemoryBarrier(GL_ALL_BARRIER_BITS);
 }

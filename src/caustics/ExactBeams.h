@@ -10,6 +10,7 @@
 #include "gl/Program.h"
 #include "levelmap/LevelMap.h"
 #include "levelmap/TangentPlanes.h"
+#include "occlusion/Occluders.h"
 #include "water/Beams.h"
 
 namespace limpid {
@@ -26,10 +27,10 @@ class ExactBeams {
 
     struct Inputs {
         const LevelMap& map;
-        int receiverNumber;           ///< as in the scene depth map
-        const TangentPlanes& planes;  ///< of `map`
-        const SceneDepth* sceneDepth; ///< of the light; null if nothing can be before the receiver
-        const Beams& beams;           ///< of the level map's light
+        int receiverNumber;          ///< as the occluders have it
+        const TangentPlanes& planes; ///< of `map`
+        const Occluders* occluders;  ///< null if nothing can be before the receiver
+        const Beams& beams;          ///< of the level map's light
         const WaterMesh& surface;
         const WaterPatch& patch;
         const Water& water;
@@ -58,7 +59,7 @@ class ExactBeams {
     enum class Pass { AllQuads, Listed, Gather, Touches, Tiles };
     /// What a program is compiled for.
     struct Variant {
-        bool extinction, coloured, shaded;
+        bool extinction, coloured, shaded, veiled;
     };
     const gl::Program& program(Pass pass, const Variant& variant);
     void prepareLists(std::int64_t quads);
@@ -72,7 +73,7 @@ class ExactBeams {
 
     gl::Context& _context;
     BeamFootprints _footprints;
-    std::array<std::array<std::optional<gl::Program>, 8>, 5> _programs; ///< compiled when first needed
+    std::array<std::array<std::optional<gl::Program>, 16>, 5> _programs; ///< compiled when first needed
     FluxSums _sums;
     gl::Program _resolve;
     gl::Buffer _lists;   ///< as shaders/include/beam_lists.glsl has it

@@ -43,9 +43,10 @@ inline bool isGrey(const glm::dvec3& v) {
     return v.x == v.y && v.y == v.z;
 }
 
-/// Sums of a texel: one if `colours` lets it stand for all three.
-inline int channelsOf(Colours colours, const Water& water) {
-    return colours == Colours::All || !isGrey(water.absorption + water.scattering) ? 3 : 1;
+/// Sums of a texel: one if `colours` lets it stand for all three. `colouredVeils`: something in the light's way
+/// lets some colours through and not others.
+inline int channelsOf(Colours colours, const Water& water, bool colouredVeils = false) {
+    return colours == Colours::All || colouredVeils || !isGrey(water.absorption + water.scattering) ? 3 : 1;
 }
 
 } // namespace limpid

@@ -1,6 +1,8 @@
 #include "caustics/PhotonSplat.h"
 
 #include <algorithm>
+#include <string>
+#include <vector>
 
 #include "caustics/FluxSums.h"
 #include "water/FlatWater.h"
@@ -21,13 +23,27 @@ enum CastUniform {
     Splat,
     TestSurfaceShadow,
     TestOcclusion,
-    ReceiverNumber
+    ReceiverNumber,
+    CastShadeMarks,
+    FirstPhoton,
+    EndPhoton
 };
-enum FilterUniform { FilterChannels, Taps, Radius };
+enum FilterUniform { FilterChannels, Taps, Radius, FilterShadeMarks };
 enum ResolveUniform { WattsPerStep, Channels, Filtered };
 constexpr int groupSize = 64;
 constexpr glm::ivec2 mapGroupSize{8, 8};
 constexpr double mostSplat = 256; ///< texels
+/// Photons of a dispatch: a work group of the second pass each, in one row.
+constexpr std::int64_t mostAtOnce = 65535;
+
+/// Of a photon that waits for its second pass.
+constexpr std::int64_t bytesOfLeft = 64;
+
+/// As shaders/caustics/photon_splat.comp has it.
+struct LeftWork {
+    std::uint32_t groups[3]{0, 1, 1};
+    std::uint32_t count = 0;
+};
 
 /// The part of the photon grid whose photons may come to the receiver; a quad of the patch is a cell.
 WaterPatch photonGrid(const PhotonSplat::Inputs& inputs) {
@@ -82,6 +98,12 @@ double fluxPerStepOf(const PhotonSplat::Inputs& inputs, const WaterPatch& photon
     return fluxPerStep(inputs.map, inputs.light, photons, parts);
 }
 
+/// Word of the splats' sums where marks of shade begin.
+int shadeMarks(const PhotonSplat::Inputs& inputs, int channels) {
+    const glm::ivec2 size = inputs.map.frame.size;
+    return 2 * (size.x * size.y + 2) * channels;
+}
+
 } // namespace
 
 glm::dvec2 splatSizes(const glm::dvec2& sizes, double nearest, double farthest) {
@@ -94,43 +116,82 @@ glm::dvec2 splatSizes(const glm::dvec2& sizes, double nearest, double farthest) 
 }
 
 PhotonSplat::PhotonSplat(gl::Context& context)
-    : _context(context), _cast({"caustics/photon_splat.comp"}), _filter({"caustics/photon_filter.comp"}),
+    : _context(context), _filter({"caustics/photon_filter.comp"}),
       _resolve({"caustics/photon_resolve.comp"}) {}
 
-/// The two behind the texels' are what photon_filter.comp counts.
-void PhotonSplat::reserveSums(std::int64_t count, bool filtered) {
+/// Compiled when first needed.
+const gl::Program& PhotonSplat::castProgram(Pass pass, bool veiled) {
+    std::optional<gl::Program>& program = _cast[pass == Pass::All ? 0 : veiled ? 2 : 1];
+    if (program) return *program;
+    std::vector<std::string> defines;
+    if (pass == Pass::Left) defines.emplace_back("SHADED");
+    if (pass == Pass::Left && veiled) defines.emplace_back("VEILS");
+    return program.emplace(std::initializer_list<const char*>{"caustics/photon_splat.comp"}, defines);
+}
+
+/// Room for sums of so many texels. The two behind the texels' are what photon_filter.comp counts; behind
+/// these, splats have a mark for each texel.
+void PhotonSplat::reserveSums(std::int64_t texels, int channels, bool filtered) {
     for (gl::Buffer* sums : {&_splats, &_sums}) {
-        if (sums->bytes() >= 8 * count || (sums == &_splats && !filtered)) continue;
-        *sums = gl::Buffer(_context.ledger(), "flux sums", 8 * count);
+        const std::int64_t bytes = 8 * (texels + 2) * channels + (sums == &_splats ? 4 * texels : 0);
+        if (sums->bytes() >= bytes || (sums == &_splats && !filtered)) continue;
+        *sums = gl::Buffer(_context.ledger(), "flux sums", bytes);
         sums->clearToZero();
     }
 }
 
-void PhotonSplat::cast(const Inputs& inputs, const WaterPatch& photons, const glm::vec4& splat, int channels,
-                       double stepsPerFlux) {
-    const CausticsSettings& settings = inputs.scene.caustics;
-    const Water& water = inputs.scene.water;
+void PhotonSplat::bind(const Inputs& inputs) const {
     inputs.beams.frame.bindUniform(0);
-    if (inputs.sceneDepth) inputs.sceneDepth->bind();
+    if (inputs.occluders) inputs.occluders->bind();
     if (inputs.beams.surfaceShadow) inputs.beams.surfaceShadow->bind(surfaceShadowUnit);
     inputs.surface.indices.bindStorage(0);
     inputs.beams.origins.bindStorage(3);
     inputs.beams.directions.bindStorage(4);
     inputs.beams.flux.bindStorage(5);
-    _cast.set(PatchRect, rectOf(inputs.patch, inputs.origin));
-    _cast.set(Quads, inputs.surface.quads);
-    _cast.set(PhotonRect, rectOf(photons, inputs.origin));
-    _cast.set(Cells, photons.grid);
-    _cast.set(Subdivision, settings.photonSubdivision);
-    _cast.set(StepsPerFlux, float(stepsPerFlux));
-    _cast.set(ExtinctionPerMetre, glm::vec3(water.absorption + water.scattering));
-    _cast.set(CastChannels, channels);
-    _cast.set(Splat, splat);
-    _cast.set(TestSurfaceShadow, inputs.beams.surfaceShadow ? 1 : 0);
-    _cast.set(TestOcclusion, inputs.sceneDepth ? 1 : 0);
-    _cast.set(ReceiverNumber, inputs.receiver);
-    _cast.dispatch(std::int64_t(photons.grid.x) * photons.grid.y, groupSize);
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    _left.bindStorage(11);
+}
+
+/// Photons in bands, so that the list of those left has room for all of a band.
+void PhotonSplat::cast(const Inputs& inputs, const Cast& settings) {
+    const int each = inputs.scene.caustics.photonSubdivision * inputs.scene.caustics.photonSubdivision;
+    const std::int64_t photons = std::int64_t(settings.photons.grid.x) * settings.photons.grid.y * each;
+    const std::int64_t band = std::min(photons, mostAtOnce);
+    const std::int64_t bytes = std::int64_t(sizeof(LeftWork)) + bytesOfLeft * band;
+    if (_left.bytes() < bytes) _left = gl::Buffer(_context.ledger(), "photons", bytes);
+    bind(inputs);
+    const gl::Program& all = castProgram(Pass::All, false);
+    const gl::Program& left = castProgram(Pass::Left, inputs.occluders && inputs.occluders->veiled());
+    set(all, inputs, settings);
+    set(left, inputs, settings);
+    left.set(CastShadeMarks,
+             inputs.scene.caustics.filterTaps > 0 ? shadeMarks(inputs, settings.channels) : 0);
+    for (std::int64_t first = 0; first < photons; first += band) {
+        constexpr LeftWork none;
+        _left.write(0, sizeof(none), &none);
+        all.set(FirstPhoton, int(first));
+        all.set(EndPhoton, int(std::min(first + band, photons)));
+        all.dispatch(std::min(band, photons - first), groupSize);
+        glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
+        left.dispatchIndirect(_left, 0);
+        glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+    }
+}
+
+void PhotonSplat::set(const gl::Program& cast, const Inputs& inputs, const Cast& settings) const {
+    const CausticsSettings& caustics = inputs.scene.caustics;
+    const Water& water = inputs.scene.water;
+    cast.set(PatchRect, rectOf(inputs.patch, inputs.origin));
+    cast.set(Quads, inputs.surface.quads);
+    cast.set(PhotonRect, rectOf(settings.photons, inputs.origin));
+    cast.set(Cells, settings.photons.grid);
+    cast.set(Subdivision, caustics.photonSubdivision);
+    cast.set(StepsPerFlux, float(settings.stepsPerFlux));
+    cast.set(ExtinctionPerMetre, glm::vec3(water.absorption + water.scattering));
+    cast.set(CastChannels, settings.channels);
+    cast.set(Splat, settings.splat);
+    cast.set(TestSurfaceShadow, inputs.beams.surfaceShadow ? 1 : 0);
+    cast.set(ReceiverNumber, inputs.receiver);
+    cast.set(TestOcclusion, inputs.occluders ? 1 : 0);
 }
 
 void PhotonSplat::filter(const Inputs& inputs, int channels) {
@@ -139,6 +200,7 @@ void PhotonSplat::filter(const Inputs& inputs, int channels) {
     _filter.set(FilterChannels, channels);
     _filter.set(Taps, inputs.scene.caustics.filterTaps);
     _filter.set(Radius, float(inputs.scene.caustics.filterRadius));
+    _filter.set(FilterShadeMarks, shadeMarks(inputs, channels));
     _filter.dispatch2D(inputs.map.frame.size, mapGroupSize);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
@@ -146,9 +208,10 @@ void PhotonSplat::filter(const Inputs& inputs, int channels) {
 void PhotonSplat::fill(CausticMap& caustics, const Inputs& inputs) {
     caustics.resize(_context, inputs.map.frame.size);
     const glm::ivec2 size = inputs.map.frame.size;
-    const int channels = channelsOf(Colours::AsNeeded, inputs.scene.water);
+    const bool coloured = inputs.occluders && inputs.occluders->coloured();
+    const int channels = channelsOf(Colours::AsNeeded, inputs.scene.water, coloured);
     const bool filtered = inputs.scene.caustics.filterTaps > 0;
-    reserveSums((std::int64_t(size.x) * size.y + 2) * channels, filtered);
+    reserveSums(std::int64_t(size.x) * size.y, channels, filtered);
     const WaterPatch photons = photonGrid(inputs);
     const WaterWay way = waterWay(inputs);
     const glm::dvec2 sizes = sizesOf(inputs, photons, way);
@@ -159,7 +222,7 @@ void PhotonSplat::fill(CausticMap& caustics, const Inputs& inputs) {
     inputs.map.normal.bind(2);
     (filtered ? _splats : _sums).bindStorage(8);
     if (inputs.beams.strength != glm::dvec3(0)) {
-        cast(inputs, photons, splat, channels, 1 / perStep);
+        cast(inputs, {photons, splat, channels, 1 / perStep});
         if (filtered) filter(inputs, channels);
     }
     inputs.map.normal.bind(0);

@@ -1,8 +1,12 @@
 #pragma once
+#include <array>
+#include <optional>
+
 #include "caustics/CausticMap.h"
 #include "gl/Program.h"
 #include "levelmap/LevelMap.h"
 #include "levelmap/TangentPlanes.h"
+#include "occlusion/Occluders.h"
 #include "scene/Scene.h"
 #include "water/Beams.h"
 
@@ -22,10 +26,10 @@ class PhotonSplat {
 
     struct Inputs {
         const LevelMap& map;
-        int receiver;                 ///< its number
-        const TangentPlanes& planes;  ///< of the level map
-        const SceneDepth* sceneDepth; ///< with its pyramid; null: nothing can be before the receiver
-        const Beams& beams;           ///< of the level map's light
+        int receiver;                ///< its number
+        const TangentPlanes& planes; ///< of the level map
+        const Occluders* occluders;  ///< null: nothing can be before the receiver
+        const Beams& beams;          ///< of the level map's light
         const WaterMesh& surface;
         const WaterPatch& patch; ///< that the surface covers, in the world
         const glm::dvec3& origin;
@@ -39,17 +43,30 @@ class PhotonSplat {
     void free() {
         _splats = {};
         _sums = {};
+        _left = {};
     }
 
   private:
-    void reserveSums(std::int64_t count, bool filtered);
-    /// `splat`: a, b, least and greatest size, texels.
-    void cast(const Inputs& inputs, const WaterPatch& photons, const glm::vec4& splat, int channels,
-              double stepsPerFlux);
+    /// All photons; those that the first pass has left.
+    enum class Pass { All, Left };
+    /// How photons of a map are cast.
+    struct Cast {
+        const WaterPatch& photons; ///< their grid
+        const glm::vec4& splat;    ///< a, b, least and greatest size, texels
+        int channels;
+        double stepsPerFlux;
+    };
+    const gl::Program& castProgram(Pass pass, bool veiled);
+    void bind(const Inputs& inputs) const;
+    void set(const gl::Program& cast, const Inputs& inputs, const Cast& settings) const;
+    void reserveSums(std::int64_t texels, int channels, bool filtered);
+    void cast(const Inputs& inputs, const Cast& settings);
     void filter(const Inputs& inputs, int channels);
     gl::Context& _context;
-    gl::Program _cast, _filter, _resolve;
+    std::array<std::optional<gl::Program>, 3> _cast; ///< all photons; those left, without and with veils
+    gl::Program _filter, _resolve;
     gl::Buffer _splats, _sums; ///< zero between maps
+    gl::Buffer _left;          ///< photons that the first pass leaves to the second
 };
 
 /// What `s = a + b / d` (Papadopoulos 3.3) has for a and b so that the size is `sizes.y` at `nearest` metres

@@ -80,6 +80,9 @@ void Engine::uploadReceivers(const Scene& scene, const glm::dvec3& origin) {
             i < _receivers.size() && origin == _origin && scene.receivers[i] == _scene.receivers[i];
         if (!same) made[i].emplace(_context, scene.receivers[i], origin);
     }
+    const bool sameAll = made.size() == _receivers.size() &&
+                         std::none_of(made.begin(), made.end(), [](const auto& m) { return m.has_value(); });
+    if (!sameAll) _occluders.reset();
     std::vector<ReceiverGeometry> receivers;
     for (std::size_t i = 0; i < made.size(); ++i)
         receivers.push_back(std::move(made[i] ? *made[i] : _receivers[i]));
@@ -218,17 +221,26 @@ void Engine::updateMaps(ReceiverMaps& maps) try {
     throw;
 }
 
+bool Engine::hasFurtherMaps(int light) const {
+    return std::any_of(_maps.begin(), _maps.end(), [&](const ReceiverMaps& m) {
+        return m.light == light && m.level.facing > 0;
+    });
+}
+
+/// A receiver alone shades itself within its own map, unless a lamp sees it from other sides than the box
+/// does, or a further map looks from elsewhere.
 bool Engine::needsSceneDepth(int index) const {
     const Light& light = _scene.lights[std::size_t(index)];
-    if (!entersWater(light, _scene.water)) return false;
-    // A receiver alone shades itself within its own map, unless a lamp sees it from other sides than the box
-    // does, or a further map looks from elsewhere. Beams that go their own ways are shaded by all but a
-    // plane.
-    const bool own = goesOwnWay(_scene.caustics.method);
-    const bool further = std::any_of(_maps.begin(), _maps.end(), [&](const ReceiverMaps& m) {
-        return m.light == index && (m.level.facing > 0 || (own && !isFlat(m.box)));
-    });
-    return _receivers.size() > 1 || light.type == LightType::Point || further;
+    if (goesOwnWay(_scene.caustics.method) || !entersWater(light, _scene.water)) return false;
+    return _receivers.size() > 1 || light.type == LightType::Point || hasFurtherMaps(index);
+}
+
+/// Beams that go their own ways may meet anything but a plane that is alone.
+bool Engine::needsOccluders(int index) const {
+    const Light& light = _scene.lights[std::size_t(index)];
+    if (!goesOwnWay(_scene.caustics.method) || !entersWater(light, _scene.water)) return false;
+    return _receivers.size() > 1 || hasFurtherMaps(index) ||
+           std::any_of(_maps.begin(), _maps.end(), [](const ReceiverMaps& m) { return !isFlat(m.box); });
 }
 
 void Engine::updateLight(int index) {
@@ -251,11 +263,11 @@ void Engine::updateLight(int index) {
         _surfaceShadowPass.draw(state.surfaceShadow, state.beams, _receivers);
     }
     state.sceneDepth = {};
-    if (!needsSceneDepth(index)) return;
-    drawSceneDepth(state.sceneDepth, state, _scene.caustics.mapSize);
-    if (!goesOwnWay(_scene.caustics.method)) return;
-    Scope scope(_timers, "scene depth map");
-    _sceneDepthPass.drawSecondSolids(state.sceneDepth, {state.beams, _receivers, state.farthest});
+    if (needsSceneDepth(index)) drawSceneDepth(state.sceneDepth, state, _scene.caustics.mapSize);
+    if (needsOccluders(index) && !_occluders) {
+        Scope scope(_timers, "occluders");
+        _occluders = std::make_unique<Occluders>(_context, _scene.receivers, _origin);
+    }
 }
 
 /// The other points of a disc look at what the middle does: they differ in where their rays come from alone.
@@ -274,9 +286,8 @@ void Engine::prepareDisc(int index, const LightFrameData& middle) {
 
 void Engine::drawSceneDepth(SceneDepth& depth, const LightState& state, int mapSize) {
     Scope scope(_timers, "scene depth map");
-    const SceneDepthPass::Inputs inputs{state.beams, _receivers, state.farthest};
-    _sceneDepthPass.drawFirst(depth, sceneDepthSize(state.beams.rect, mapSize), inputs);
-    if (goesOwnWay(_scene.caustics.method)) _sceneDepthPass.drawSolids(depth, inputs);
+    _sceneDepthPass.drawFirst(depth, sceneDepthSize(state.beams.rect, mapSize),
+                              {state.beams, _receivers, state.farthest});
 }
 
 /// What a method needs to know of a receiver.
@@ -306,6 +317,10 @@ void Engine::updateReceiver(ReceiverMaps& maps) {
 const SceneDepth* Engine::sceneDepthOf(const ReceiverMaps& maps) const {
     const SceneDepth& sceneDepth = _lights[std::size_t(maps.light)].sceneDepth;
     return sceneDepth.first.id() ? &sceneDepth : nullptr;
+}
+
+const Occluders* Engine::occludersOf(const ReceiverMaps& maps) const {
+    return needsOccluders(maps.light) ? _occluders.get() : nullptr;
 }
 
 void Engine::prepareMaps(ReceiverMaps& maps) {
@@ -338,8 +353,7 @@ void Engine::updateTangentPlanes(ReceiverMaps& maps) {
         return;
     }
     Scope scope(_timers, "tangent planes");
-    _tangentPlanesPass.update(maps.tangents, maps.level, _lights[std::size_t(maps.light)].beams,
-                              sceneDepthOf(maps), maps.receiver);
+    _tangentPlanesPass.update(maps.tangents, maps.level);
 }
 
 void Engine::updatePlaneDepths(ReceiverMaps& maps) {

@@ -28,6 +28,7 @@
 #include "levelmap/SceneDepthMap.h"
 #include "levelmap/SurfaceShadow.h"
 #include "levelmap/TangentPlanes.h"
+#include "occlusion/Occluders.h"
 #include "scene/Scene.h"
 #include "view/Picture.h"
 #include "water/Beams.h"
@@ -179,6 +180,7 @@ class Engine {
     void updateTangentPlanes(ReceiverMaps& maps);
     void updatePlaneDepths(ReceiverMaps& maps);
     const SceneDepth* sceneDepthOf(const ReceiverMaps& maps) const;
+    const Occluders* occludersOf(const ReceiverMaps& maps) const;
     void slice(LevelMap& map);
     void fill(ReceiverMaps& maps);
     template <typename Pass, typename InputsOf>
@@ -190,7 +192,9 @@ class Engine {
     void drawLampShadows();
     const gl::Texture* drawGodrays(glm::ivec2 size);
     void drawGodrays(const GodrayInputs& inputs);
+    bool hasFurtherMaps(int light) const;
     bool needsSceneDepth(int light) const;
+    bool needsOccluders(int light) const;
 
     gl::Context& _context;
     gl::PassTimers _timers;
@@ -230,6 +234,7 @@ class Engine {
     glm::dvec3 _origin{0};
     WaterPatch _patch;
     std::vector<ReceiverGeometry> _receivers;
+    std::unique_ptr<Occluders> _occluders; ///< of them all; made when some light's beams may meet one on their way
     std::vector<Bounds> _bounds; ///< of each receiver, m from the scene's origin
     std::vector<Bounds> _wet;    ///< of each receiver's part below the level, in the world
     std::vector<std::vector<glm::dvec3>> _submerged; ///< of each receiver, in the world

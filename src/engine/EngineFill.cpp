@@ -73,7 +73,7 @@ void Engine::fill(ReceiverMaps& maps) {
         break;
     case Method::ExactBeam:
         fillInOnePass(_exactBeams, maps, [&](const Beams& beams, const BeamCulling* culling, int points) {
-            return ExactBeams::Inputs{maps.level, maps.receiver,  maps.tangents, sceneDepthOf(maps),
+            return ExactBeams::Inputs{maps.level, maps.receiver,  maps.tangents, occludersOf(maps),
                                       beams,      mapMesh(state), _patch,        _scene.water,
                                       light,      culling,        colours,       points};
         });
@@ -96,7 +96,7 @@ void Engine::fill(ReceiverMaps& maps) {
 void Engine::splatPhotons(ReceiverMaps& maps) {
     if (!_photonSplat) _photonSplat = std::make_unique<PhotonSplat>(_context);
     _photonSplat->fill(maps.caustics,
-                       {maps.level, maps.receiver, maps.tangents, sceneDepthOf(maps),
+                       {maps.level, maps.receiver, maps.tangents, occludersOf(maps),
                         _lights[std::size_t(maps.light)].beams, _surface.mesh(), _patch, _origin, _scene,
                         _scene.lights[std::size_t(maps.light)], _wet[std::size_t(maps.receiver)]});
 }

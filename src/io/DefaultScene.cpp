@@ -1,8 +1,10 @@
 #include "io/DefaultScene.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -10,20 +12,26 @@
 
 #include "io/Files.h"
 #include "io/SceneParser.h"
+#include "scene/Basin.h"
 #include "scene/Scene.h"
 
 namespace limpid::io {
 
 namespace {
 
-// The look of a model alone. Lengths are fractions of its largest extent s, so that it does not depend on
-// size.
-constexpr double floorSize = 6.5;
-constexpr int mapSize = 1024;     ///< the floor is several times as wide as the model
-constexpr double floorGap = 1e-4; ///< keeps a flat base and the floor from being one surface
-constexpr double waterAbove = 0.6;
-constexpr glm::dvec3 absorption{0.3, 0.07, 0.035};  ///< over s
-constexpr glm::dvec3 scattering{0.02, 0.03, 0.035}; ///< over s
+// The look of a model alone. Lengths are fractions of its largest extent s, or of its basin's depth d, so
+// that it does not depend on size.
+constexpr double floorSize = 6.5;        ///< over s
+constexpr int mapSize = 1024;            ///< what is lit is several times as wide as what is looked at
+constexpr double floorGap = 1e-4;        ///< over s; keeps a flat base and the floor from being one surface
+constexpr double waterAbove = 0.6;       ///< over s
+constexpr double leastAbove = 0.2;       ///< over s; where the file's camera is low
+constexpr double freeboard = 0.08;       ///< over a full basin's deepest water, from level to rim
+constexpr double surfaceCover = 0.04;    ///< likewise, from the author's own water surface to the level
+constexpr double cameraClearance = 0.15; ///< over the depth; waves are a quarter as high
+constexpr double lowestView = 15;        ///< degrees; flatter, the surface is a mirror
+constexpr glm::dvec3 absorption{0.3, 0.07, 0.035};  ///< over s or d
+constexpr glm::dvec3 scattering{0.02, 0.03, 0.035}; ///< over s or d
 constexpr glm::dvec3 sunDirection{0.4, -1, -0.35};  ///< away from the camera, so that what it sees is lit
 constexpr glm::dvec3 sunIrradiance{6, 5.8, 5.4};
 constexpr glm::dvec3 ambientRadiance{0.16, 0.22, 0.26};
@@ -39,10 +47,33 @@ struct CosineWave {
     glm::dvec2 direction;
     double phase;
 };
+// Over the depth. Light through a crest of curvature c comes together n / ((n - 1) c) below it: through the
+// sum of these, 4.3 over the depth, at 0.94 of it.
 constexpr CosineWave cosineWaves[] = {{0.55, 0.011, {1, 0.3}, 0}, {0.34, 0.006, {-0.4, 1}, 60}};
 constexpr double noiseWavelength = 0.6;
 constexpr double noiseAmplitude = 0.012;
 constexpr int noiseOctaves = 2;
+constexpr double mostWaves = 50;    ///< wave scales across; more are finer than a picture's pixels
+constexpr double quadsPerWave = 20; ///< quads in a wave scale, six in the shortest wave
+constexpr double mostAmplitude = 2; ///< times that of waves in proportion to the depth
+
+/// The water of a model alone, m.
+struct WaterBody {
+    double level; ///< y
+    double depth; ///< over what caustics are to show on
+    double width; ///< of what is lit
+    double look;  ///< what absorption and scattering are over
+
+    double waveScale() const { return std::max(depth, width / mostWaves); }
+    /// As steep as focuses light at the depth; what is too long for that is not to run over the rim.
+    double amplitudeScale() const {
+        return std::min(waveScale() * waveScale() / depth, mostAmplitude * depth);
+    }
+    int grid() const {
+        const double quads = std::clamp(quadsPerWave * width / waveScale(), 256.0, 1024.0);
+        return int(std::bit_ceil(unsigned(std::lround(quads))));
+    }
+};
 
 toml::array array(const glm::dvec3& v) {
     return toml::array{v.x, v.y, v.z};
@@ -56,21 +87,30 @@ double waveSpeed(double wavelength) {
     return std::sqrt(9.81 * wavelength / (2 * std::numbers::pi));
 }
 
-toml::array waves(double s) {
+toml::array waves(const WaterBody& water) {
+    const double length = water.waveScale(), height = water.amplitudeScale();
     toml::array result;
     for (const CosineWave& wave : cosineWaves)
         result.push_back(toml::table{{"type", "cosine"},
-                                     {"wavelength", wave.wavelength * s},
-                                     {"amplitude", wave.amplitude * s},
+                                     {"wavelength", wave.wavelength * length},
+                                     {"amplitude", wave.amplitude * height},
                                      {"direction", array(wave.direction)},
                                      {"phase", wave.phase},
-                                     {"speed", waveSpeed(wave.wavelength * s)}});
+                                     {"speed", waveSpeed(wave.wavelength * length)}});
     result.push_back(toml::table{{"type", "noise"},
-                                 {"wavelength", noiseWavelength * s},
-                                 {"amplitude", noiseAmplitude * s},
+                                 {"wavelength", noiseWavelength * length},
+                                 {"amplitude", noiseAmplitude * height},
                                  {"octaves", noiseOctaves},
-                                 {"speed", waveSpeed(noiseWavelength * s)}});
+                                 {"speed", waveSpeed(noiseWavelength * length)}});
     return result;
+}
+
+toml::table waterTable(const WaterBody& water) {
+    return toml::table{{"level", water.level},
+                       {"grid", toml::array{water.grid(), water.grid()}},
+                       {"absorption", array(absorption / water.look)},
+                       {"scattering", array(scattering / water.look)},
+                       {"wave", waves(water)}};
 }
 
 /// With everything that names may not hold replaced; empty if that leaves nothing.
@@ -144,11 +184,49 @@ bool seesModel(const Camera& camera, const Bounds& bounds) {
            across < along * std::tan(0.5 * glm::radians(camera.verticalFov));
 }
 
+/// Whether the camera is clear of a basin's waves: above them, or in its water.
+bool clearOfWaves(const Camera& camera, const WaterBody& water, const Basin& basin) {
+    const double above = camera.position->y - water.level;
+    const glm::dvec2 at(camera.position->x, camera.position->z);
+    const bool inside = glm::all(glm::greaterThan(at, glm::dvec2(basin.water.min.x, basin.water.min.z))) &&
+                        glm::all(glm::lessThan(at, glm::dvec2(basin.water.max.x, basin.water.max.z)));
+    return (inside ? std::abs(above) : above) > cameraClearance * water.depth;
+}
+
+/// The level over a sunken model: such that `camera`, if there is one, looks down through the surface, or
+/// where it is too low for that, is in the water.
+double levelOver(const Bounds& bounds, double s, const Camera* camera) {
+    const double usual = bounds.max.y + waterAbove * s;
+    if (!camera) return usual;
+    const glm::dvec3 way = bounds.center() - *camera->position;
+    const double across = std::hypot(way.x, way.z), y = camera->position->y;
+    const double clear = cameraClearance * (usual - bounds.min.y);
+    const double highest = y - std::max(clear, across * std::tan(glm::radians(lowestView)));
+    if (highest >= bounds.max.y + leastAbove * s) return std::min(usual, highest);
+    return std::max(usual, y + clear);
+}
+
+/// The water in a basin of a model `width` m wide.
+WaterBody waterIn(const Basin& basin, double width) {
+    const double deepest = basin.water.max.y - basin.water.min.y;
+    const double level =
+        basin.surface ? *basin.surface + surfaceCover * deepest : basin.water.max.y - freeboard * deepest;
+    const double depth = std::max(basin.depth - (basin.water.max.y - level), 0.1 * basin.depth);
+    return {level, depth, width, depth};
+}
+
 toml::table cameraTable(const Camera& camera) {
     return toml::table{{"position", array(*camera.position)},
                        {"target", array(*camera.target)},
                        {"up", array(camera.up)},
                        {"vertical_fov", camera.verticalFov}};
+}
+
+toml::table floorTable(const Bounds& bounds, double s) {
+    const glm::dvec3 center = bounds.center();
+    return toml::table{{"name", "floor"},
+                       {"plane", toml::table{{"size", array(glm::dvec2(floorSize * s))}}},
+                       {"translation", array(glm::dvec3(center.x, bounds.min.y - floorGap * s, center.z))}};
 }
 
 } // namespace
@@ -161,25 +239,26 @@ toml::table defaultScene(const std::filesystem::path& file, const Model& model) 
     const double extent = std::max({size.x, size.y, size.z});
     // A model of no size still needs a floor and waves of some; below a micrometre nothing is to be seen.
     const double s = extent > 1e-6 ? extent : 1.0;
-    const glm::dvec3 center = bounds.center();
-    const double level = bounds.max.y + waterAbove * s;
-    toml::table scene{
-        {"water", toml::table{{"level", level},
-                              {"absorption", array(absorption / s)},
-                              {"scattering", array(scattering / s)},
-                              {"wave", waves(s)}}},
-        {"light", lights(model, level)},
-        {"receiver",
-         toml::array{
-             toml::table{{"name", receiverName(file)}, {"gltf", std::filesystem::absolute(file).string()}},
-             toml::table{
-                 {"name", "floor"},
-                 {"plane", toml::table{{"size", array(glm::dvec2(floorSize * s))}}},
-                 {"translation", array(glm::dvec3(center.x, bounds.min.y - floorGap * s, center.z))}}}},
-        {"caustics", toml::table{{"map_size", mapSize}}},
-        {"ambient", toml::table{{"radiance", array(ambientRadiance)}}}};
-    if (!model.cameras.empty() && seesModel(model.cameras.front(), bounds))
-        scene.insert("camera", cameraTable(model.cameras.front()));
+    const Camera* camera = model.cameras.empty() ? nullptr : &model.cameras.front();
+    if (camera && !seesModel(*camera, bounds)) camera = nullptr;
+    toml::array receivers{
+        toml::table{{"name", receiverName(file)}, {"gltf", std::filesystem::absolute(file).string()}}};
+    WaterBody water{};
+    if (const std::optional<Basin> basin = findBasin(model.mesh)) {
+        water = waterIn(*basin, std::max(size.x, size.z));
+        if (camera && !clearOfWaves(*camera, water, *basin)) camera = nullptr;
+    } else {
+        const double level = levelOver(bounds, s, camera);
+        // In deeper water waves would be too long to show on the model.
+        water = {level, std::min(level - bounds.min.y, s), floorSize * s, s};
+        receivers.push_back(floorTable(bounds, s));
+    }
+    toml::table scene{{"water", waterTable(water)},
+                      {"light", lights(model, water.level)},
+                      {"receiver", receivers},
+                      {"caustics", toml::table{{"map_size", mapSize}}},
+                      {"ambient", toml::table{{"radiance", array(ambientRadiance)}}}};
+    if (camera) scene.insert("camera", cameraTable(*camera));
     return scene;
 }
 

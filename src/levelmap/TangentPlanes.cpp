@@ -4,29 +4,23 @@ namespace limpid {
 
 namespace {
 constexpr glm::ivec2 groupSize{8, 8};
-enum Uniform { TestOcclusion, ReceiverNumber };
 } // namespace
 
 TangentPlanesPass::TangentPlanesPass(gl::Context& context)
     : _context(context), _planes({"levelmap/tangent_planes.comp"}) {}
 
-void TangentPlanesPass::update(TangentPlanes& planes, const LevelMap& map, const Beams& beams,
-                               const SceneDepth* sceneDepth, int receiverNumber) {
+void TangentPlanesPass::update(TangentPlanes& planes, const LevelMap& map) {
     const glm::ivec2 size = map.frame.size;
     if (!planes.planes.id() || planes.planes.size() != size) {
         gl::Ledger& ledger = _context.ledger();
         planes.planes = gl::Texture(ledger, "tangent planes", GL_RGBA32F, size);
         planes.depthPyramid = gl::Texture(ledger, "depth pyramid", GL_RGBA32F, size, gl::Mipmaps::Full);
     }
-    beams.frame.bindUniform(0);
     map.box.bindUniform(1);
     map.position.bind(0);
     map.normal.bind(2);
-    if (sceneDepth) sceneDepth->bind();
     planes.planes.bindImage(0, GL_WRITE_ONLY);
     planes.depthPyramid.bindImage(1, GL_WRITE_ONLY);
-    _planes.set(TestOcclusion, sceneDepth ? 1 : 0);
-    _planes.set(ReceiverNumber, receiverNumber);
     _planes.dispatch2D(size, groupSize);
     _pyramid.reduce(planes.depthPyramid);
 }

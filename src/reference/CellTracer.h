@@ -33,10 +33,11 @@ struct LightScene {
 };
 
 /// Follows the light of one source through the cells of a grid. A cell is a photon that carries its
-/// footprint: rays refracted at the analytic surface. Four cells by four are taken as one where the rays at
-/// its corners and one at random land on one smooth face: then the footprints of its cells are cut with that
-/// face and deposited by area. Where they do not, the group is split, and in the end a cell is replaced by
-/// plain photons, each on its own way. One object for each thread.
+/// footprint: rays refracted at the analytic surface, followed through sheets, which take their share, to
+/// what takes the rest. Four cells by four are taken as one where the rays at
+/// its corners and one at random land on the same smooth faces: then the footprints of its cells are cut with
+/// those faces and deposited by area. Where they do not, the group is split, and in the end a cell is
+/// replaced by plain photons, each on its own way. One object for each thread.
 class CellTracer {
   public:
     /// Cells on a side of a group and of a tile.
@@ -54,37 +55,60 @@ class CellTracer {
         double transmittance = 0; ///< after Fresnel and a spot's cone
         bool facing = false;      ///< the surface faces the light there
     };
+    /// What becomes of what the landings let through. Dark: no light comes to the surface.
     enum class Fate { Untraced, Dark, Missed, Landed };
-    struct Traced {
-        Ray ray;
-        Fate fate = Fate::Untraced;
+    /// A face on a ray's way.
+    struct Landing {
         Hit hit;
         TexelMap* map = nullptr; ///< that shows the face, from the side that is lit
     };
-    /// Where the rays of a group land, as its map sees it.
-    struct Landings {
-        static constexpr std::size_t most = (group + 1) * (group + 1);
-        std::array<MapPlace, most> places;
-        std::array<glm::dvec3, most> left; ///< share of RGB that the water leaves
-        MapSurface surface;
-
-        static std::size_t index(glm::ivec2 corner) { return std::size_t(corner.y * (group + 1) + corner.x); }
+    struct Traced {
+        Ray ray;
+        Fate fate = Fate::Untraced;
+        glm::dvec3 lit{1};             ///< share of the light that comes to the surface
+        std::vector<Landing> landings; ///< sheets as light passes them, then what takes the rest
     };
+    /// How far apart the corners of a group land, m, by landing.
+    using Extents = std::array<double, mostSheets>;
+    /// Of a group by corner, (group + 1) in a row.
+    static constexpr std::size_t mostCorners = (group + 1) * (group + 1);
+    using Shares = std::array<glm::dvec3, mostCorners>; ///< of the light that comes to the surface, RGB
+    /// Where the rays of a group land, as a map sees it.
+    struct Landings {
+        std::array<MapPlace, mostCorners> places;
+        std::array<double, mostCorners> distances; ///< m
+        Shares transmittance;
+        MapSurface surface;
+    };
+    /// Light of a group on its way.
+    struct Going {
+        Shares shares;
+        std::array<double, mostCorners> passed{}; ///< m
+    };
+    static std::size_t cornerIndex(glm::ivec2 corner) {
+        return std::size_t(corner.y * (group + 1) + corner.x);
+    }
 
     Ray enter(const glm::dvec2& place) const;
     void follow(Traced& traced) const;
     Traced& corner(int x, int y);
     const Traced& cornerOf(glm::ivec2 at) const;
     void traceCells(glm::ivec2 at, int count);
-    bool agree(const Traced& a, const Traced& b, double extent, double slack = 1) const;
-    bool smooth(const Traced& a, const Traced& b, double extent, double slack) const;
-    double extentOf(glm::ivec2 at, int count) const;
+    TexelMap* mapOf(const Hit& hit, const glm::dvec3& direction) const;
+    bool agree(const Traced& a, const Traced& b, const Extents& extents, double slack = 1) const;
+    bool smooth(const Traced& a, const Traced& b, std::size_t landing, double extent, double slack) const;
+    Extents extentsOf(glm::ivec2 at, int count) const;
     Traced traceAt(glm::ivec2 at, int count, const glm::dvec2& share) const;
     void settleAtOnce(glm::ivec2 at, int count, const Traced& sample);
     void settleOnHidden(glm::ivec2 at, int count, const Traced& sample);
     double groupFlux(glm::ivec2 at, int count) const;
-    Landings landingsOf(glm::ivec2 at, int count, const Traced& sample) const;
+    Landings landingsOf(glm::ivec2 at, int count, const Traced& sample, std::size_t landing) const;
+    template <typename Visit>
+    static void forEachCorner(int count, const Visit& visit);
+    template <typename Visit>
+    void forEachHalf(glm::ivec2 at, int count, const Visit& visit) const;
     void deposit(glm::ivec2 at, int count, const Traced& sample);
+    void depositOn(glm::ivec2 at, int count, const Traced& sample, std::size_t landing, Going& going);
     void plainPhotons(glm::ivec2 at);
     int plainCount(glm::ivec2 at) const;
     double cellArea(glm::ivec2 at) const;

@@ -21,11 +21,11 @@ constexpr double samplesPerPixel = 2;
 /// Beyond this optical depth nothing is followed: e^-16 is below what eight batches can tell.
 constexpr double mostExtinction = 16;
 
-/// A ray of light below the surface.
+/// A ray of light below the surface, between two faces that it meets.
 struct Path {
-    glm::dvec3 from, direction; ///< m from the origin; unit
-    double length;              ///< m
-    glm::dvec3 flux;            ///< W
+    glm::dvec3 from, direction; ///< where it enters, m from the origin; unit
+    double begin, end;          ///< m from there
+    glm::dvec3 flux;            ///< W, without the water's extinction
 };
 
 class Scatterer {
@@ -48,6 +48,7 @@ class Scatterer {
     using Sums = std::vector<std::int64_t>;
     void runBatch(int batch, std::vector<Sums>& sums) const;
     void runRow(const Source& source, int batch, int row, glm::ivec2 cells, Sums& sums) const;
+    void followThrough(Path path, std::uint64_t seed, Sums& sums) const;
     void follow(const Path& path, std::uint64_t seed, Sums& sums) const;
     void see(const Path& path, double along, double weight, Sums& sums) const;
 
@@ -76,9 +77,10 @@ void Scatterer::see(const Path& path, double along, double weight, Sums& sums) c
     const glm::ivec2 pixel(glm::floor(at));
     if (pixel.x < 0 || pixel.y < 0 || pixel.x >= _view.size.x || pixel.y >= _view.size.y) return;
     const glm::dvec3 ray = way / distance;
-    if (_geometry.blocked(_view.position, ray, distance)) return;
+    const glm::dvec3 seen = _geometry.through(_view.position, ray, distance);
+    if (seen == glm::dvec3(0)) return;
     const double solidAngle = std::pow(depth / distance, 3) / (_focus * _focus);
-    const glm::dvec3 left = glm::exp(-_lost * (along + distance));
+    const glm::dvec3 left = seen * glm::exp(-_lost * (along + distance));
     const glm::dvec3 value = path.flux * left * _water.scattering *
                              (phase(-glm::dot(ray, path.direction), _water.anisotropy) * weight / solidAngle);
     const std::size_t first = 3 * (std::size_t(pixel.y) * std::size_t(_view.size.x) + std::size_t(pixel.x));
@@ -90,7 +92,7 @@ void Scatterer::follow(const Path& path, std::uint64_t seed, Sums& sums) const {
     // Seen from the camera, a place of the path is at a tangent of its distance from the foot.
     const double foot = glm::dot(_view.position - path.from, path.direction);
     const double aside = std::max(glm::distance(_view.position, path.from + foot * path.direction), 1e-9);
-    const double low = std::atan(-foot / aside), high = std::atan((path.length - foot) / aside);
+    const double low = std::atan((path.begin - foot) / aside), high = std::atan((path.end - foot) / aside);
     const int count = std::max(1, int((high - low) * _focus * samplesPerPixel));
     const double step = (high - low) / count;
     for (int i = 0; i < count; ++i) {
@@ -110,13 +112,26 @@ void Scatterer::runRow(const Source& source, int batch, int row, glm::ivec2 cell
         const glm::dvec3 incident = source.incident(place);
         const double cosIncident = -glm::dot(incident, point.up());
         const double taken = source.density(place, point.slope);
-        if (cosIncident <= 0 || taken <= 0 || !_shade.lit(source, place)) continue;
-        Path path{place, refracted(incident, point.up(), _water.ior), _farthest, source.strength};
+        if (cosIncident <= 0 || taken <= 0) continue;
+        const glm::dvec3 lit = _shade.lit(source, place);
+        if (lit == glm::dvec3(0)) continue;
+        Path path{place, refracted(incident, point.up(), _water.ior), 0, _farthest, source.strength * lit};
         path.flux *= taken * cell.x * cell.y * transmitted(cosIncident, _water.ior) / double(batches);
         if (source.cosOuter > -2) path.flux *= source.withinCone(incident);
-        if (const Hit hit = _geometry.first(place, path.direction))
-            path.length = std::min(path.length, hit.distance);
-        follow(path, mixed(seed), sums);
+        followThrough(path, mixed(seed), sums);
+    }
+}
+
+/// The whole of a path, through sheets.
+void Scatterer::followThrough(Path path, std::uint64_t seed, Sums& sums) const {
+    Hit hit = _geometry.first(path.from, path.direction);
+    for (int sheets = 0; path.begin < _farthest && path.flux != glm::dvec3(0); ++sheets) {
+        path.end = hit ? std::min(_farthest, hit.distance) : _farthest;
+        follow(path, seed + std::uint64_t(sheets), sums);
+        if (!hit || sheets == mostSheets) return;
+        path.flux *= hit.transmittance;
+        path.begin = path.end;
+        hit = _geometry.next(path.from, path.direction, hit);
     }
 }
 

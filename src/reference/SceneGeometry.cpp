@@ -4,14 +4,14 @@
 #include <limits>
 #include <stdexcept>
 
-#include "reference/Cutouts.h"
+#include "reference/Sheets.h"
 
 namespace limpid::reference {
 
 struct SceneGeometry::Shape {
     std::vector<glm::dvec3> positions; ///< m from the origin
     std::shared_ptr<const Mesh> mesh;
-    Cutouts holes;
+    Sheets sheets;
     RTCScene alone = nullptr; ///< this receiver by itself
 
     glm::dvec3 corner(unsigned face, unsigned c) const { return positions[mesh->indices[3 * face + c]]; }
@@ -54,7 +54,8 @@ SceneGeometry::~SceneGeometry() {
 void SceneGeometry::addReceiver(const Receiver& receiver, const glm::dvec3& origin) {
     auto shape = std::make_unique<Shape>();
     shape->mesh = receiver.mesh;
-    shape->holes = Cutouts(*receiver.mesh);
+    shape->sheets = Sheets(*receiver.mesh);
+    _translucent = _translucent || !shape->sheets.none();
     for (const glm::dvec3& p : receiver.mesh->positions) {
         shape->positions.push_back(receiver.toWorld(p) - origin);
         _top = std::max(_top, shape->positions.back().y);
@@ -73,7 +74,7 @@ void SceneGeometry::addReceiver(const Receiver& receiver, const glm::dvec3& orig
             *points++ = float(shape->positions[i][c] - _middle[c]);
     std::copy_n(receiver.mesh->indices.begin(), 3 * faces, indices);
     rtcSetGeometryUserData(geometry, shape.get());
-    if (!shape->holes.none()) {
+    if (!shape->sheets.none()) {
         rtcSetGeometryIntersectFilterFunction(geometry, filterHoles);
         rtcSetGeometryOccludedFilterFunction(geometry, filterHoles);
     }
@@ -110,17 +111,44 @@ Hit SceneGeometry::refined(const Shape& shape, int receiver, const RTCRayHit& qu
     if (const double facing = glm::dot(hit.normal, direction); std::abs(facing) > 1e-4)
         hit.distance = glm::dot(hit.normal, shape.corner(face, 0) - from) / facing;
     hit.point = from + hit.distance * direction;
+    hit.transmittance = shape.sheets.transmittance(*shape.mesh, face, {query.hit.u, query.hit.v});
+    hit.reach = double(query.ray.tfar);
     return hit;
 }
 
-Hit SceneGeometry::first(const glm::dvec3& from, const glm::dvec3& direction) const {
-    RTCRayHit query = ray(from, direction);
+Hit SceneGeometry::nearest(RTCRayHit& query, const glm::dvec3& from, const glm::dvec3& direction) const {
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
     rtcIntersect1(_all, &context, &query);
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
     return refined(*_shapes[query.hit.geomID], int(query.hit.geomID), query, from, direction);
+}
+
+Hit SceneGeometry::first(const glm::dvec3& from, const glm::dvec3& direction) const {
+    RTCRayHit query = ray(from, direction);
+    return nearest(query, from, direction);
+}
+
+Hit SceneGeometry::next(const glm::dvec3& from, const glm::dvec3& direction, const Hit& passed) const {
+    // Past all that a float may take for the same place: of two faces that share an edge one is met.
+    constexpr double rounding = 2e-6;
+    RTCRayHit query = ray(from, direction);
+    query.ray.tnear = float(passed.reach + rounding * (glm::length(from - _middle) + passed.reach));
+    return nearest(query, from, direction);
+}
+
+glm::dvec3 SceneGeometry::through(const glm::dvec3& from, const glm::dvec3& direction,
+                                  double distance) const {
+    if (!blocked(from, direction, distance)) return glm::dvec3(1);
+    if (!_translucent) return glm::dvec3(0);
+    glm::dvec3 share(1);
+    Hit hit = first(from, direction);
+    for (int i = 0; hit && hit.distance < distance && share != glm::dvec3(0); ++i) {
+        share *= i < mostSheets ? hit.transmittance : glm::dvec3(0);
+        hit = next(from, direction, hit);
+    }
+    return share;
 }
 
 bool SceneGeometry::blocked(const glm::dvec3& from, const glm::dvec3& direction, double distance) const {
@@ -150,8 +178,9 @@ void SceneGeometry::filterHoles(const RTCFilterFunctionNArguments* arguments) {
         if (arguments->valid[i] == 0) continue;
         const glm::vec2 uv(RTCHitN_u(arguments->hit, arguments->N, i),
                            RTCHitN_v(arguments->hit, arguments->N, i));
-        if (shape.holes.at(*shape.mesh, RTCHitN_primID(arguments->hit, arguments->N, i), uv))
-            arguments->valid[i] = 0;
+        const glm::vec3 through =
+            shape.sheets.transmittance(*shape.mesh, RTCHitN_primID(arguments->hit, arguments->N, i), uv);
+        if (through == glm::vec3(1)) arguments->valid[i] = 0;
     }
 }
 

@@ -11,19 +11,24 @@
 
 namespace limpid::reference {
 
-/// Where a ray ends.
+/// The most faces that light is followed through: the last takes what is left.
+inline constexpr int mostSheets = 32;
+
+/// Where a ray meets a face.
 struct Hit {
     int receiver = -1; ///< -1: it passes every receiver
     double distance = 0;
-    glm::dvec3 point{0};  ///< m from the origin
-    glm::dvec3 normal{0}; ///< unit, of the face, by the winding
+    glm::dvec3 point{0};         ///< m from the origin
+    glm::dvec3 normal{0};        ///< unit, of the face, by the winding
+    glm::dvec3 transmittance{0}; ///< share of light that goes on behind it (scene/Mesh.h)
+    double reach = 0;            ///< distance as Embree has it
 
     explicit operator bool() const { return receiver >= 0; }
 };
 
-/// All receivers as Embree sees them. Faces stop light on both sides; cut-outs are holes. Embree finds the
-/// face in single precision, relative to the middle of the receivers; the place on it is then had in double.
-/// May be asked by many threads at once.
+/// All receivers as Embree sees them. Faces take light on both sides; where one lets all of it through there
+/// is a hole. Embree finds the face in single precision, relative to the middle of the receivers; the place
+/// on it is then had in double. May be asked by many threads at once.
 class SceneGeometry {
   public:
     /// Places are relative to `origin` (m, in the world). Throws std::runtime_error if Embree fails.
@@ -34,6 +39,10 @@ class SceneGeometry {
 
     /// The first face along the ray. `direction` unit.
     Hit first(const glm::dvec3& from, const glm::dvec3& direction) const;
+    /// The first one beyond a hit of the same ray.
+    Hit next(const glm::dvec3& from, const glm::dvec3& direction, const Hit& passed) const;
+    /// Share of light that the faces within `distance` m let through.
+    glm::dvec3 through(const glm::dvec3& from, const glm::dvec3& direction, double distance) const;
     /// Whether any face lies within `distance` m.
     bool blocked(const glm::dvec3& from, const glm::dvec3& direction, double distance) const;
     /// The first face of one receiver, below `level` (y), that map `facing` shows.
@@ -51,6 +60,7 @@ class SceneGeometry {
     RTCRayHit ray(const glm::dvec3& from, const glm::dvec3& direction) const;
     Hit refined(const Shape& shape, int receiver, const RTCRayHit& query, const glm::dvec3& from,
                 const glm::dvec3& direction) const;
+    Hit nearest(RTCRayHit& query, const glm::dvec3& from, const glm::dvec3& direction) const;
     static void filterHoles(const RTCFilterFunctionNArguments* arguments);
     static void filterShown(const RTCFilterFunctionNArguments* arguments);
 
@@ -59,6 +69,7 @@ class SceneGeometry {
     std::vector<std::unique_ptr<Shape>> _shapes;
     glm::dvec3 _middle{0}; ///< what Embree's places are relative to, m from the origin
     double _top = -1e300;
+    bool _translucent = false; ///< some face lets light through
 };
 
 } // namespace limpid::reference

@@ -55,12 +55,12 @@ Shade::Shade(const SceneGeometry& geometry, const Surface& surface, double level
     : _geometry(geometry), _surface(surface), _level(level), _patchMin(patchMin), _patchMax(patchMax),
       _emergent(geometry.top() > level - surface.highest()) {}
 
-bool Shade::lit(const Source& source, const glm::dvec3& place) const {
+glm::dvec3 Shade::lit(const Source& source, const glm::dvec3& place) const {
     const glm::dvec3 up = -source.incident(place);
-    if (up.y <= 0) return false; // the part of a disc that has set
+    if (up.y <= 0) return glm::dvec3(0); // the part of a disc that has set
     const double distance = source.point ? glm::distance(place, source.position) : 1e30;
-    if (_emergent && _geometry.blocked(place, up, distance)) return false;
-    return !behindCrest(place, up, distance);
+    const glm::dvec3 share = _emergent ? _geometry.through(place, up, distance) : glm::dvec3(1);
+    return share != glm::dvec3(0) && behindCrest(place, up, distance) ? glm::dvec3(0) : share;
 }
 
 bool Shade::behindCrest(const glm::dvec3& place, const glm::dvec3& up, double distance) const {

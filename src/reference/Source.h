@@ -38,8 +38,8 @@ class Shade {
     Shade(const SceneGeometry& geometry, const Surface& surface, double level, const glm::dvec2& patchMin,
           const glm::dvec2& patchMax);
 
-    /// Whether `place`, on the surface and facing the source, is in its light.
-    bool lit(const Source& source, const glm::dvec3& place) const;
+    /// Share of the light that comes to `place`, on the surface and facing the source.
+    glm::dvec3 lit(const Source& source, const glm::dvec3& place) const;
 
   private:
     bool behindCrest(const glm::dvec3& place, const glm::dvec3& up, double distance) const;

@@ -46,6 +46,22 @@ struct Material {
     std::string name{}; ///< in the file; may be empty
 };
 
+/// Whether light may pass a material's faces: through cut-outs' holes, or all of what is blended or
+/// transmissive.
+inline bool isTranslucent(const Material& material) {
+    return material.alphaMode != AlphaMode::Opaque || material.transmission > 0;
+}
+
+/// Share of the light, by channel, that goes on behind a place of a face; the face takes the rest. It goes on
+/// unbent: sheets are thin and have water on either side, and a closed body is its two faces. `color`: base
+/// colour times texture and vertex colour, linear RGB and alpha, [0, 1]; `transmission`: the material's times
+/// its texture, [0, 1].
+inline glm::vec3 transmittance(const Material& material, const glm::vec4& color, float transmission) {
+    if (material.alphaMode == AlphaMode::Mask && color.a < material.alphaCutoff) return glm::vec3(1);
+    const glm::vec3 through = transmission * glm::vec3(color);
+    return material.alphaMode == AlphaMode::Blend ? 1 - color.a + color.a * through : through;
+}
+
 /// A run of triangles that share a material.
 struct MeshPart {
     std::uint32_t firstIndex = 0;

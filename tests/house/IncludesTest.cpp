@@ -26,14 +26,15 @@ const std::map<std::string, Strings> mayInclude = {
     {"io", {"core", "scene"}},
     {"water", {"core", "gl", "scene"}},
     {"levelmap", {"core", "gl", "scene", "water"}},
-    {"caustics", {"core", "gl", "scene", "water", "levelmap"}},
+    {"occlusion", {"core", "gl", "scene"}},
+    {"caustics", {"core", "gl", "scene", "water", "levelmap", "occlusion"}},
     {"godrays", {"core", "gl", "scene", "water", "levelmap"}},
     {"view", {"core", "gl", "scene", "water", "levelmap", "caustics"}},
-    {"engine", {"core", "gl", "scene", "water", "levelmap", "caustics", "godrays", "view"}},
+    {"engine", {"core", "gl", "scene", "water", "levelmap", "occlusion", "caustics", "godrays", "view"}},
     {"reference", {"core", "scene", "io"}},
     {"apps",
-     {"core", "gl", "scene", "io", "water", "levelmap", "caustics", "godrays", "view", "engine",
-      "reference"}},
+     {"core", "gl", "scene", "io", "water", "levelmap", "occlusion", "caustics", "godrays", "view",
+      "engine", "reference"}},
 };
 
 const Strings sourceFolders = {"src", "shaders", "tests", "models", "profiles/bench"};

@@ -106,6 +106,12 @@ TEST(Scattering, endsAtReceivers) {
     scene.receivers = {scenes::shape("lid", makeBox({4, 0.02, 4}, glm::vec3(1)), {0, -0.1, 0})};
     // The 9 cm over the lid are hidden by it.
     EXPECT_EQ(sum(), 0);
+    Mesh pane = makePlane({4, 4}, glm::vec3(1));
+    pane.materials[0].alphaMode = AlphaMode::Blend;
+    pane.materials[0].baseColor.a = 0.5f;
+    scene.receivers = {scenes::shape("pane", std::move(pane), {0, -0.1, 0})};
+    // A path that ends at the pane is sampled elsewhere: chance, of 20,000 photons.
+    EXPECT_NEAR(sum(), 0.5 * open, 0.03 * open);
     scene.receivers.clear();
     scene.water.scattering = glm::dvec3(0);
     EXPECT_EQ(sum(), 0);

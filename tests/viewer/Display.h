@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <map>
+#include <memory>
+#include <stdexcept>
 #include <string>
 #include <thread>
 #include <vector>
@@ -16,6 +16,7 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <xcb/xcb.h>
 
 #include <glm/glm.hpp>
 
@@ -68,22 +69,31 @@ inline pid_t start(const std::vector<std::string>& words, const fs::path& output
     _exit(127);
 }
 
+template <typename T>
+using Owned = std::unique_ptr<T, decltype(&std::free)>;
+/// A reply of the X server, which its reader frees.
+template <typename T>
+Owned<T> owned(T* reply) {
+    return Owned<T>(reply, &std::free);
+}
+
 /// An Xvfb, as long as this lives.
 class Display {
   public:
-    Display(const fs::path& folder, glm::ivec2 size) : _folder(folder) {
+    Display(const fs::path& folder, glm::ivec2 size) {
         int ends[2];
         if (pipe(ends) != 0) return;
-        _server =
-            start({"Xvfb", "-displayfd", std::to_string(ends[1]), "-screen", "0",
-                   fmt::format("{}x{}x24", size.x, size.y), "-fbdir", folder.string(), "-nolisten", "tcp"},
-                  folder / "Xvfb.txt");
+        _server = start({"Xvfb", "-displayfd", std::to_string(ends[1]), "-screen", "0",
+                         fmt::format("{}x{}x24", size.x, size.y), "-nolisten", "tcp"},
+                        folder / "Xvfb.txt");
         close(ends[1]);
         char text[16] = {};
         if (read(ends[0], text, sizeof(text) - 1) > 0) _name = fmt::format(":{}", std::atoi(text));
         close(ends[0]);
+        _connection = xcb_connect(_name.c_str(), nullptr);
     }
     ~Display() {
+        xcb_disconnect(_connection);
         if (_server <= 0) return;
         kill(_server, SIGTERM);
         waitpid(_server, nullptr, 0);
@@ -93,21 +103,23 @@ class Display {
 
     const std::string& name() const { return _name; } ///< empty if there is none
 
-    /// The X server keeps it as an X window dump: a header of big-endian words, a table of colours, and rows
-    /// of blue, green, red and a byte of padding.
+    /// Asked of the X server, which answers between two drawings and leaves out the mouse's arrow. Its own
+    /// memory (-fbdir) would be read in the middle of one: half a frame, and the arrow now there, now not.
     Screen screen() const {
-        std::ifstream file(_folder / "Xvfb_screen0", std::ios::binary);
-        const std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(file), {}};
-        const auto word = [&](std::size_t i) {
-            return std::size_t(bytes[4 * i]) << 24 | std::size_t(bytes[4 * i + 1]) << 16 |
-                   std::size_t(bytes[4 * i + 2]) << 8 | std::size_t(bytes[4 * i + 3]);
-        };
-        Screen screen{{int(word(4)), int(word(5))}, {}};
-        const std::size_t pixels = word(0) + 12 * word(19), row = word(12);
-        for (std::size_t y = 0; y < word(5); ++y)
-            for (std::size_t x = 0; x < word(4); ++x)
-                for (const std::size_t c : {2, 1, 0})
-                    screen.rgb.push_back(bytes[pixels + y * row + 4 * x + c]);
+        if (xcb_connection_has_error(_connection)) throw std::runtime_error("no X server to ask");
+        const xcb_screen_t& root = *xcb_setup_roots_iterator(xcb_get_setup(_connection)).data;
+        const glm::ivec2 size(root.width_in_pixels, root.height_in_pixels);
+        const auto cookie = xcb_get_image(_connection, XCB_IMAGE_FORMAT_Z_PIXMAP, root.root, 0, 0,
+                                          root.width_in_pixels, root.height_in_pixels, ~0u);
+        const auto image = owned(xcb_get_image_reply(_connection, cookie, nullptr));
+        if (!image) throw std::runtime_error("the X server gives no image of its screen");
+        // Blue, green, red and a byte of padding.
+        const std::uint8_t* pixels = xcb_get_image_data(image.get());
+        Screen screen{size, {}};
+        screen.rgb.reserve(std::size_t(3 * size.x * size.y));
+        for (int i = 0; i < size.x * size.y; ++i)
+            for (const int c : {2, 1, 0})
+                screen.rgb.push_back(pixels[4 * i + c]);
         return screen;
     }
 
@@ -118,9 +130,9 @@ class Display {
     }
 
   private:
-    fs::path _folder;
     pid_t _server = -1;
     std::string _name;
+    xcb_connection_t* _connection = nullptr;
 };
 
 } // namespace limpid::test

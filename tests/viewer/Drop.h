@@ -4,11 +4,12 @@
 #include <cstdint>
 #include <cstdlib>
 #include <iterator>
-#include <memory>
 #include <string>
 #include <thread>
 
 #include <xcb/xcb.h>
+
+#include "viewer/Display.h"
 
 /// Files dropped onto a window by the protocol that file managers speak (freedesktop.org, "Drag-and-Drop
 /// Protocol for the X Window System", version 5).
@@ -38,13 +39,6 @@ class Drop {
     }
 
   private:
-    template <typename T>
-    using Owned = std::unique_ptr<T, decltype(&std::free)>;
-    template <typename T>
-    static Owned<T> owned(T* pointer) {
-        return Owned<T>(pointer, &std::free);
-    }
-
     xcb_atom_t atom(const std::string& name) {
         const auto cookie = xcb_intern_atom(_connection, 0, std::uint16_t(name.size()), name.c_str());
         return owned(xcb_intern_atom_reply(_connection, cookie, nullptr))->atom;

@@ -70,7 +70,7 @@ class ViewerFixture : public ::testing::Test {
     }
     void openPond() {
         open(folder.write("pond.toml", pond).string());
-        ASSERT_TRUE(completes());
+        if (!completes()) throw std::runtime_error("no complete picture of the pond: " + said());
         display.send(fmt::format("mousemove {} {}", ball.x, ball.y));
         first = screen();
     }
@@ -119,6 +119,12 @@ class ViewerFixture : public ::testing::Test {
     }
     /// All pixels but the status bar, which counts frames.
     static double anyChange(const Screen& a, const Screen& b) { return changed(a, b, {0, 0}, {448, 318}); }
+
+    /// Waits for the window to look as it did at first.
+    void expectFirstAgain() const {
+        const auto change = [&] { return anyChange(first, screen()); };
+        EXPECT_TRUE(until([&] { return change() == 0; })) << change() << " of the pixels differ\n" << said();
+    }
 
     /// Whether a message is over the picture.
     bool isRed() const {

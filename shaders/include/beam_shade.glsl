@@ -1,0 +1,166 @@
+// How much of a quad's light on a texel passes what stands in its way: rays spread evenly over the part of the beams that
+// the texel holds, each followed exactly, and only where some triangle may be in the way at all. At an edge of shade that is
+// coverage by area, at the texel's own resolution. VEILS: some triangles let part of the light through.
+#include "include/beam_quads.glsl"
+#include "include/beam_sheet.glsl"
+#include "include/occluders.glsl"
+
+// The part of the beams in a texel.
+struct BeamPart {
+    Sheet sheet;
+    vec2 low, high;  // its bounds, from the sheet's origin
+    vec4 plane;      // of the texel: depth at its middle, m, and how it grows
+    ivec2 texel;
+    mat4x3 starts;   // of the rays through p, q, r, s at the water's surface
+};
+
+vec3 rayStart(vec4 ray, float start) { return boxPoint(vec3((ray.xy + start * ray.zw) * boxExtent.w, start)); }
+
+mat4x3 rayStarts(Quad quad) {
+    return mat4x3(rayStart(quad.p, quad.starts.x), rayStart(quad.q, quad.starts.y), rayStart(quad.r, quad.starts.z),
+                  rayStart(quad.s, quad.starts.w));
+}
+
+vec3 surfaceAt(BeamPart part, vec2 place) {
+    vec2 within = part.sheet.origin + place;
+    return boxPoint(vec3((vec2(part.texel) + within) * boxExtent.w, part.plane.x + dot(part.plane.yz, within - 0.5)));
+}
+
+// Rays: a (0, 2)-sequence over the part's bounds, and one through its middle for a part so thin that they all miss it.
+const int spreadRays = 16, middleRay = spreadRays;
+
+// Moves the places by quad and texel, so that along an edge of shade what is too much and too little cancels.
+vec2 shiftOf(int quad, ivec2 texel) {
+    uvec2 v = uvec2(quad, texel.y * boxSize.x + texel.x) * 1664525u + 1013904223u;
+    v.x += v.y * 1664525u, v.y += v.x * 1664525u;
+    v ^= v >> 16u;
+    v.x += v.y * 1664525u, v.y += v.x * 1664525u;
+    v ^= v >> 16u;
+    return vec2(v & 0xffffffu) / 16777216.0;
+}
+
+vec2 spreadPlace(BeamPart part, vec2 shift, int ray) {
+    vec2 unit = vec2(float(ray) / float(spreadRays), float(bitfieldReverse(uint(ray))) / 4294967296.0);
+    return mix(part.low, part.high, fract(unit + shift));
+}
+
+// Weights of the second and third corner of a triangle with its first at the origin; false outside of it.
+bool weigh(vec2 second, vec2 third, vec2 place, out vec2 weights) {
+    weights = vec2(cross2(place, third), cross2(second, place)) / cross2(second, third);
+    return weights.x >= 0.0 && weights.y >= 0.0 && weights.x + weights.y <= 1.0;
+}
+
+// Which of the two beams a place is asked about. Folded ones lie over each other and share the rays.
+bool isUpper(Sheet sheet, vec2 place, int ray) {
+    float r = cross2(sheet.q, sheet.r);
+    if (r * cross2(sheet.q, sheet.s) > 0.0) return (ray & 1) == 0;
+    return cross2(sheet.q, place) * r > 0.0;
+}
+
+// Where a ray starts and ends. `inside`: 1 within the upper beam, 2 within the lower one, 0 in neither.
+int rayOf(BeamPart part, vec2 shift, int ray, out vec3 from, out vec3 to) {
+    bool middle = ray == middleRay;
+    vec2 place = middle ? middleIn(part.sheet, part.low, part.high) : spreadPlace(part, shift, ray);
+    to = surfaceAt(part, place);
+    if (middle) {
+        from = part.starts * weightsAt(part.sheet, place);
+        return 1;
+    }
+    bool upper = isUpper(part.sheet, place, ray);
+    vec2 weights;
+    bool inside = weigh(part.sheet.q, upper ? part.sheet.r : part.sheet.s, place, weights);
+    vec3 third = upper ? part.starts[2] : part.starts[3];
+    from = part.starts[0] + weights.x * (part.starts[1] - part.starts[0]) + weights.y * (third - part.starts[0]);
+    return inside ? (upper ? 1 : 2) : 0;
+}
+
+// Of the rays: those in each beam, a bit a ray, and those that are not taken.
+struct Rays {
+    uint upper, lower, lit;
+    vec2 shift;
+};
+
+Rays raysOf(BeamPart part, vec2 shift) {
+    Rays rays = Rays(0u, 0u, 0u, shift);
+    for (int i = 0; i < spreadRays; ++i) {
+        vec3 from, to;
+        int beam = rayOf(part, shift, i, from, to);
+        if (beam == 1) rays.upper |= 1u << i;
+        if (beam == 2) rays.lower |= 1u << i;
+    }
+    if ((rays.upper | rays.lower) == 0u) rays.upper = 1u << middleRay;
+    rays.lit = rays.upper | rays.lower;
+    return rays;
+}
+
+#ifdef VEILS
+vec3 passing[spreadRays + 1]; // of each ray, what is left of its light
+#endif
+
+// Follows all rays past the triangles that were found.
+void followFound(BeamPart part, Target target, inout Rays rays) {
+    for (int t = 0; t < foundCount; ++t) {
+        Facet facet;
+        OccluderTriangle triangle = occluderTriangles[foundTriangles[t]];
+        facetOf(triangle, target, facet);
+        for (int i = 0; i <= middleRay; ++i) {
+            if ((rays.lit >> i & 1u) == 0u) continue;
+            vec3 from, to, at;
+            rayOf(part, rays.shift, i, from, to);
+            if (!takes(facet, from, to, at)) continue;
+#ifdef VEILS
+            passing[i] *= passingTriangle(triangle, facet, at);
+            if (passing[i] != vec3(0.0)) continue;
+#endif
+            rays.lit &= ~(1u << i);
+        }
+    }
+}
+
+// Rays of each beam stand for its flux by its area; those that all fell into a dark one, for the other.
+vec3 weighedShare(BeamPart part, Rays rays) {
+    vec2 density = part.sheet.flux / part.sheet.areas;
+    if (rays.upper == 1u << middleRay || density.x * float(rays.upper) + density.y * float(rays.lower) == 0.0) density = vec2(1.0);
+    float whole = density.x * float(bitCount(rays.upper)) + density.y * float(bitCount(rays.lower));
+#ifdef VEILS
+    vec3 sum = vec3(0.0);
+    for (int i = 0; i <= middleRay; ++i) {
+        if ((rays.lit >> i & 1u) == 0u) continue;
+        sum += ((rays.upper >> i & 1u) != 0u ? density.x : density.y) * passing[i];
+    }
+    return sum / whole;
+#else
+    float lit = density.x * float(bitCount(rays.upper & rays.lit)) + density.y * float(bitCount(rays.lower & rays.lit));
+    return vec3(lit / whole);
+#endif
+}
+
+// Follows each ray past all triangles.
+void followAlone(BeamPart part, Target target, inout Rays rays) {
+    for (int i = 0; i <= middleRay; ++i) {
+        if ((rays.lit >> i & 1u) == 0u) continue;
+        vec3 from, to;
+        rayOf(part, rays.shift, i, from, to);
+        vec3 share = passingRay(from, to, target);
+#ifdef VEILS
+        passing[i] = share;
+#endif
+        if (share == vec3(0.0)) rays.lit &= ~(1u << i);
+    }
+}
+
+// The share of the part's light that arrives, [0, 1] by channel.
+vec3 passingShare(BeamPart part, int quad, Target target) {
+    mat4x3 ends = mat4x3(surfaceAt(part, part.low), surfaceAt(part, vec2(part.high.x, part.low.y)), surfaceAt(part, part.high),
+                         surfaceAt(part, vec2(part.low.x, part.high.y)));
+    int node = 0;
+    findTriangles(node, pencilOf(part.starts, ends, vec3(0.0)), target, mostNodes);
+    if (foundCount == 0 && sawAll(node)) return vec3(1.0);
+    Rays rays = raysOf(part, shiftOf(quad, part.texel));
+#ifdef VEILS
+    for (int i = 0; i <= middleRay; ++i) passing[i] = vec3(1.0);
+#endif
+    if (sawAll(node)) followFound(part, target, rays);
+    else followAlone(part, target, rays);
+    return weighedShare(part, rays);
+}
