@@ -30,7 +30,7 @@ void addImage(Hash& hash, const Mesh& mesh, int image) {
 
 /// As far as it lets light through.
 void addMaterial(Hash& hash, const Mesh& mesh, const Material& material) {
-    if (material.alphaMode == AlphaMode::Opaque && material.transmission == 0) return;
+    if (!isTranslucent(material)) return;
     hash(material.alphaCutoff, material.baseColor.a, int(material.baseColorWrapS),
          int(material.baseColorWrapT));
     hash.list(mesh.uvs);
