@@ -74,6 +74,7 @@ struct Facet {
     vec3 a, b, c;
     vec3 normal; // unit
     float contact;
+    bool veiled;
 };
 
 const float steepestSlope = 15.0;
@@ -99,6 +100,7 @@ bool facetOf(OccluderTriangle triangle, Target target, out Facet facet) {
     facet.a = triangle.a, facet.b = triangle.b, facet.c = triangle.c;
     facet.normal = area / size;
     facet.contact = contactOf(facet.normal, triangle, target);
+    facet.veiled = triangle.veil >= 0;
     return true;
 }
 
@@ -131,6 +133,19 @@ bool mayTake(Facet facet, Pencil pencil) {
            !isOutside(facet.normal, facet.c, facet.a, pencil, parts);
 }
 
+#ifdef VEILS
+// Whether a ray is on the inner side of the edge from `a` to `b`; `turn`: sign of the way along the triangle's normal. The
+// numbers are the same for both triangles of an edge, and a ray right on it belongs to one of them: met twice, a sheet would
+// have dark seams.
+bool ownsRay(vec3 from, vec3 way, vec3 a, vec3 b, float turn) {
+    bool swapped = b.x < a.x || (b.x == a.x && (b.y < a.y || (b.y == a.y && b.z < a.z)));
+    precise vec3 low = (swapped ? b : a) - from, high = (swapped ? a : b) - from;
+    precise float side = dot(way, cross(low, high));
+    side = swapped ? -side : side;
+    return side * turn > 0.0 || (side == 0.0 && !swapped);
+}
+#endif
+
 // Whether one ray is taken, and where. Edges reach as much further as rounding may be off, so that none slips through
 // between two triangles. What starts in the plane is behind it: a lid on the water.
 bool takes(Facet facet, vec3 from, vec3 to, out vec3 at) {
@@ -140,6 +155,13 @@ bool takes(Facet facet, vec3 from, vec3 to, out vec3 at) {
     if (behind >= -facet.contact) return false;
     before = abs(before);
     at = from + (before / max(before - behind, 1e-30)) * (to - from);
+#ifdef VEILS
+    if (facet.veiled) {
+        vec3 way = to - from;
+        float turn = sign(dot(way, facet.normal));
+        return ownsRay(from, way, facet.a, facet.b, turn) && ownsRay(from, way, facet.b, facet.c, turn) && ownsRay(from, way, facet.c, facet.a, turn);
+    }
+#endif
     vec3 ab = facet.b - facet.a, bc = facet.c - facet.b, ca = facet.a - facet.c;
     vec3 inside = vec3(dot(cross(facet.normal, ab), at - facet.a), dot(cross(facet.normal, bc), at - facet.b),
                        dot(cross(facet.normal, ca), at - facet.c));

@@ -42,6 +42,12 @@ vec4 veilImage(int image, vec2 uv) {
                mix(veilTexel(image, place + ivec2(0, 1)), veilTexel(image, place + ivec2(1, 1)), part.x), part.y);
 }
 
+// Whether it is more than a surface with holes.
+bool isSheet(int veil) {
+    int material = 12 * veilTriangles[veil].material;
+    return veilWords[material + 2] != 0u || uintBitsToFloat(veilWords[material + 1]) > 0.0;
+}
+
 // The share of light that goes on behind a place of a triangle, [0, 1]; `weights` of its corners.
 vec3 passingVeil(int veil, vec3 weights) {
     VeilTriangle triangle = veilTriangles[veil];

@@ -14,6 +14,7 @@ layout(location = 3) uniform vec3 strength;    // of a light that comes straight
 layout(location = 4) uniform int way;          // straight, refracted or mirrored
 layout(location = 5) uniform int sheerSide;    // 0: what hides all behind it; of what is blended with that, 1: faces
                                                // seen from the front, -1: from the back
+layout(location = 19) uniform float transmission; // of what is blended
 layout(location = 0) out vec4 outRadiance;
 layout(location = 1) out float outMetres;
 
@@ -92,7 +93,12 @@ void main() {
     vec3 face = fragmentIn.faceNormal;
     vec3 shading = shadingNormal(face);
     float turned = dot(face, view) < 0.0 ? -1.0 : 1.0;
-    float alpha = sheerSide != 0 ? baseColor().a : 1.0;
+    // A sheet shows what is behind it by what it lets through (scene/Mesh.h, transmittance), in the mean of its colours; what
+    // is transmissive of it scatters nothing.
+    vec4 base = sheerSide != 0 ? clamp(baseColor(), 0.0, 1.0) : vec4(baseColor().rgb, 1.0);
+    float through = sheerSide != 0 ? transmission : 0.0;
+    vec3 taken = base.a * (1.0 - through * base.rgb);
+    float alpha = dot(taken, vec3(1.0 / 3.0));
     if (sheerSide != 0 && (turned != float(sheerSide) || alpha >= solidAlpha)) discard;
 
     vec3 irradiance = vec3(0.0);
@@ -103,16 +109,18 @@ void main() {
         // Flux goes by the face, the look by the shading normal.
         float smoothing = clamp(-dot(shading, boxT.xyz) / (sign(facing) * max(abs(facing), 0.05)), 0.0, 1.5);
         lit = lit && belongsToMap(face);
-        if (lit) irradiance = castIrradiance(face) * smoothing;
+        // Maps hold what the surface takes; its colour shows by all that comes to it.
+        if (lit) irradiance = castIrradiance(face) * smoothing / max(taken, vec3(0.02));
     }
     if (strength != vec3(0.0)) irradiance += straightIrradiance(turned * shading, face);
-    vec3 albedo = baseColor().rgb;
-    vec3 radiance = albedo / pi * irradiance;
-    if (withAmbient != 0) radiance += albedo * ambientRadiance.rgb + emission();
+    vec3 albedo = base.rgb * (base.a * (1.0 - through) / max(alpha, 1e-3));
+    vec3 radiance = albedo / pi * irradiance + (withAmbient != 0 ? albedo * ambientRadiance.rgb : vec3(0.0));
+    vec3 glow = withAmbient != 0 ? base.a * emission() : vec3(0.0);
     if (underwater != 0 && way == straight) {
         vec3 left = extinction(waterExtinction.rgb, length(view));
         radiance = radiance * left + (withAmbient != 0 ? deepRadiance.rgb * (1.0 - left) : vec3(0.0));
+        glow *= left;
     }
-    outRadiance = vec4(radiance * alpha, withAmbient != 0 ? alpha : 0.0); // once, however many lights add to it
+    outRadiance = vec4(radiance * alpha + glow, withAmbient != 0 ? alpha : 0.0); // once, however many lights add to it
     outMetres = length(view);
 }

@@ -222,9 +222,8 @@ void Engine::updateMaps(ReceiverMaps& maps) try {
 }
 
 bool Engine::hasFurtherMaps(int light) const {
-    return std::any_of(_maps.begin(), _maps.end(), [&](const ReceiverMaps& m) {
-        return m.light == light && m.level.facing > 0;
-    });
+    return std::any_of(_maps.begin(), _maps.end(),
+                       [&](const ReceiverMaps& m) { return m.light == light && m.level.facing > 0; });
 }
 
 /// A receiver alone shades itself within its own map, unless a lamp sees it from other sides than the box
@@ -235,10 +234,12 @@ bool Engine::needsSceneDepth(int index) const {
     return _receivers.size() > 1 || light.type == LightType::Point || hasFurtherMaps(index);
 }
 
-/// Beams that go their own ways may meet anything but a plane that is alone.
+/// Beams that go their own ways may meet anything but a plane that is alone; the mean light's shade lacks
+/// what lets a part of it through.
 bool Engine::needsOccluders(int index) const {
     const Light& light = _scene.lights[std::size_t(index)];
-    if (!goesOwnWay(_scene.caustics.method) || !entersWater(light, _scene.water)) return false;
+    if (!entersWater(light, _scene.water)) return false;
+    if (!goesOwnWay(_scene.caustics.method)) return hasTranslucents();
     return _receivers.size() > 1 || hasFurtherMaps(index) ||
            std::any_of(_maps.begin(), _maps.end(), [](const ReceiverMaps& m) { return !isFlat(m.box); });
 }
@@ -312,6 +313,22 @@ void Engine::updateReceiver(ReceiverMaps& maps) {
         drawSlices(maps);
         break;
     }
+    updateTakenLight(maps);
+}
+
+bool Engine::hasTranslucents() const {
+    return std::any_of(_receivers.begin(), _receivers.end(),
+                       [](const ReceiverGeometry& receiver) { return receiver.translucent(); });
+}
+
+/// Beams that go their own way are asked about sheets one by one; the mean light here.
+void Engine::updateTakenLight(ReceiverMaps& maps) {
+    const bool shaded = _occluders && !goesOwnWay(_scene.caustics.method) && hasTranslucents();
+    if (!_receivers[std::size_t(maps.receiver)].translucent() && !shaded) return;
+    if (!_takenLight) _takenLight = std::make_unique<TakenLight>(_context);
+    Scope scope(_timers, "taken light");
+    maps.taken = _takenLight->opacity(maps.level, litReceiver(maps));
+    if (shaded) _takenLight->shade(maps.taken, maps.level, litReceiver(maps), *_occluders);
 }
 
 const SceneDepth* Engine::sceneDepthOf(const ReceiverMaps& maps) const {

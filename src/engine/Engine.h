@@ -29,6 +29,7 @@
 #include "levelmap/SurfaceShadow.h"
 #include "levelmap/TangentPlanes.h"
 #include "occlusion/Occluders.h"
+#include "occlusion/TakenLight.h"
 #include "scene/Scene.h"
 #include "view/Picture.h"
 #include "water/Beams.h"
@@ -78,6 +79,8 @@ struct ReceiverMaps {
     TangentPlanes tangents; ///< for exact beams and photon splats only
     PlaneDepths depths;     ///< for level maps in one pass and for stencil only
     CausticMap caustics;
+    gl::Texture
+        taken;     ///< shares of its light (occlusion/TakenLight.h); empty where light goes through nothing
     Slices slices; ///< empty but for the volumetric method
 
     bool ready = false;  ///< whether all but the light is there
@@ -182,7 +185,10 @@ class Engine {
     const SceneDepth* sceneDepthOf(const ReceiverMaps& maps) const;
     const Occluders* occludersOf(const ReceiverMaps& maps) const;
     void slice(LevelMap& map);
+    bool hasTranslucents() const;
+    void updateTakenLight(ReceiverMaps& maps);
     void fill(ReceiverMaps& maps);
+    void fillWhole(ReceiverMaps& maps);
     template <typename Pass, typename InputsOf>
     void fillInOnePass(Pass& pass, ReceiverMaps& maps, const InputsOf& inputsOf);
     void drawSlices(ReceiverMaps& maps);
@@ -216,6 +222,7 @@ class Engine {
     std::unique_ptr<PhotonSplat> _photonSplat; ///< likewise
     FluxAudit _fluxAudit;
     std::unique_ptr<CoveragePass> _coveragePass;     ///< made when light is counted
+    std::unique_ptr<TakenLight> _takenLight;         ///< made for the first translucent receiver
     const gl::Texture* _godrays = nullptr;           ///< of the picture that was begun last; null for none
     std::unique_ptr<GodrayTarget> _godrayTarget;     ///< made for the first picture that shows some
     std::unique_ptr<PhotonLines> _photonLines;       ///< likewise
@@ -234,7 +241,8 @@ class Engine {
     glm::dvec3 _origin{0};
     WaterPatch _patch;
     std::vector<ReceiverGeometry> _receivers;
-    std::unique_ptr<Occluders> _occluders; ///< of them all; made when some light's beams may meet one on their way
+    std::unique_ptr<Occluders>
+        _occluders;              ///< of them all; made when some light's beams may meet one on their way
     std::vector<Bounds> _bounds; ///< of each receiver, m from the scene's origin
     std::vector<Bounds> _wet;    ///< of each receiver's part below the level, in the world
     std::vector<std::vector<glm::dvec3>> _submerged; ///< of each receiver, in the world

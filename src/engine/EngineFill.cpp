@@ -49,6 +49,12 @@ const WaterMesh& Engine::mapMesh(const LightState& state) const {
 }
 
 void Engine::fill(ReceiverMaps& maps) {
+    fillWhole(maps);
+    if (maps.taken.id()) _takenLight->apply(maps.caustics.irradiance, maps.taken);
+}
+
+/// All light that comes to the receiver.
+void Engine::fillWhole(ReceiverMaps& maps) {
     const LightState& state = _lights[std::size_t(maps.light)];
     const Light& light = _scene.lights[std::size_t(maps.light)];
     Scope scope(_timers, "caustic map");

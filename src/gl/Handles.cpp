@@ -23,6 +23,7 @@ int bytesPerTexel(GLenum format) {
     case GL_DEPTH_COMPONENT32F:
         return 4;
     case GL_RG32F:
+    case GL_RGBA16:
     case GL_RGBA16F:
     case GL_DEPTH32F_STENCIL8:
         return 8;

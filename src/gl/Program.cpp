@@ -37,10 +37,11 @@ std::uint64_t unusedLocations(GLuint program) {
     GLint count = 0;
     glGetProgramInterfaceiv(program, GL_UNIFORM, GL_ACTIVE_RESOURCES, &count);
     for (GLint i = 0; i < count; ++i) {
-        constexpr GLenum location = GL_LOCATION;
-        GLint at = -1;
-        glGetProgramResourceiv(program, GL_UNIFORM, GLuint(i), 1, &location, 1, nullptr, &at);
-        if (at >= 0 && at < 64) unused &= ~(std::uint64_t(1) << unsigned(at));
+        constexpr GLenum asked[] = {GL_LOCATION, GL_ARRAY_SIZE};
+        GLint found[2] = {-1, 0}; // elements of an array have a location each
+        glGetProgramResourceiv(program, GL_UNIFORM, GLuint(i), 2, asked, 2, nullptr, found);
+        for (GLint at = found[0]; at >= 0 && at < std::min(found[0] + found[1], 64); ++at)
+            unused &= ~(std::uint64_t(1) << unsigned(at));
     }
     return unused;
 }

@@ -1,5 +1,6 @@
 #include "levelmap/ReceiverGeometry.h"
 
+#include <algorithm>
 #include <array>
 
 #include "levelmap/Facings.h"
@@ -12,8 +13,29 @@ struct Vertex {
     glm::vec2 uv, normalUv;
     glm::u16vec4 color; // linear: eight bits would show steps in the dark
 };
-enum MaterialUniform { BaseColorFactor = 16, AlphaCutoff = 17, NormalScale = 18, EmissionFactor = 19 };
-constexpr GLuint baseColorUnit = 0, normalMapUnit = 4, emissionUnit = 8;
+enum MaterialUniform {
+    BaseColorFactor = 16,
+    AlphaCutoff,
+    NormalScale,
+    Transmission,
+    Blended,
+    EmissionFactor
+};
+constexpr GLuint baseColorUnit = 0, normalMapUnit = 4, transmissionUnit = 5, emissionUnit = 8;
+
+bool isSheer(const Material& material) {
+    return material.alphaMode == AlphaMode::Blend || material.transmission > 0;
+}
+
+/// Share of the light that goes through what is there of the surface, about.
+float meanThrough(const Material& material) {
+    return material.transmission * (material.baseColor.r + material.baseColor.g + material.baseColor.b) / 3;
+}
+
+/// Alpha of something blended below which more than half of the light goes through.
+float halfOpaque(const Material& material) {
+    return 0.5f / std::max(1 - meanThrough(material), 0.25f);
+}
 
 /// Alpha below it is a hole; 0: none.
 float alphaCutoff(const Material& material, float ofBlended) {
@@ -86,7 +108,7 @@ ReceiverGeometry::ReceiverGeometry(gl::Context& context, const Receiver& receive
     uploadImages(ledger, *receiver.mesh);
     for (std::size_t i = 0; i < _parts.size(); ++i) {
         const Material& material = _materials[std::size_t(_parts[i].material)];
-        if (material.alphaMode != AlphaMode::Blend) continue;
+        if (!isSheer(material)) continue;
         const glm::dvec3 center = boundsOf(receiver, _parts[i]).center();
         _sheerParts.push_back({i, glm::vec3(center - origin)});
     }
@@ -129,17 +151,41 @@ void ReceiverGeometry::drawPart(std::size_t index, const gl::Program& program, G
 }
 
 void ReceiverGeometry::drawPart(std::size_t part, const gl::Program& program, GLenum primitive) const {
+    program.set(Transmission, _materials[std::size_t(_parts[part].material)].transmission);
     drawPart(part, program, primitive, 0);
 }
 
+template <typename Prepare>
+void ReceiverGeometry::drawTaking(const gl::Program& program, GLenum primitive,
+                                  const Prepare& prepare) const {
+    for (std::size_t i = 0; i < _parts.size(); ++i) {
+        const Material& material = _materials[std::size_t(_parts[i].material)];
+        if (material.alphaMode != AlphaMode::Blend && meanThrough(material) > 0.5f) continue;
+        prepare(material);
+        drawPart(i, program, primitive, alphaCutoff(material, halfOpaque(material)));
+    }
+}
+
 void ReceiverGeometry::draw(const gl::Program& program, GLenum primitive) const {
-    for (std::size_t i = 0; i < _parts.size(); ++i)
-        drawPart(i, program, primitive, alphaCutoff(_materials[std::size_t(_parts[i].material)], 0.5f));
+    drawTaking(program, primitive, [](const Material&) {});
+}
+
+void ReceiverGeometry::drawTranslucence(const gl::Program& program) const {
+    drawTaking(program, GL_TRIANGLES, [&](const Material& material) {
+        program.set(Transmission, material.transmission);
+        program.set(Blended, material.alphaMode == AlphaMode::Blend ? 1 : 0);
+        bindTexture(material.transmissionImage >= 0 ? _images[std::size_t(material.transmissionImage)]
+                                                    : _white,
+                    transmissionUnit, material.transmissionWrapS, material.transmissionWrapT);
+    });
 }
 
 void ReceiverGeometry::drawSolid(const gl::Program& program, GLenum primitive) const {
-    for (std::size_t i = 0; i < _parts.size(); ++i)
-        drawPart(i, program, primitive, alphaCutoff(_materials[std::size_t(_parts[i].material)], solidAlpha));
+    for (std::size_t i = 0; i < _parts.size(); ++i) {
+        const Material& material = _materials[std::size_t(_parts[i].material)];
+        if (material.transmission > 0) continue;
+        drawPart(i, program, primitive, alphaCutoff(material, solidAlpha));
+    }
 }
 
 std::vector<glm::dvec3> pointsOfSide(const Receiver& receiver, double level, Side side) {

@@ -23,14 +23,16 @@ class ReceiverGeometry {
 
     /// Draws all triangles; the material is what shaders/include/receiver_fragment.glsl takes.
     /// `primitive` is GL_TRIANGLES, or GL_PATCHES for a program that tessellates.
-    /// What is blended counts as solid where it is more there than not, and else as a hole.
+    /// What lets more than half of the light through counts as a hole, else as solid.
     void draw(const gl::Program& program, GLenum primitive = GL_TRIANGLES) const;
-    /// The same without what is blended and lets something show through.
+    /// The same with what shaders/levelmap/opacity.frag takes besides.
+    void drawTranslucence(const gl::Program& program) const;
+    /// Without what lets something show through.
     void drawSolid(const gl::Program& program, GLenum primitive = GL_TRIANGLES) const;
-    /// One part, with nothing taken for a hole.
+    /// One part, with nothing taken for a hole; `program` has the uniform of its transmission.
     void drawPart(std::size_t part, const gl::Program& program, GLenum primitive = GL_TRIANGLES) const;
 
-    /// A part of a material that is blended.
+    /// A part of a material that is blended or transmissive.
     struct SheerPart {
         std::size_t part;
         glm::vec3 center; ///< of its bounds, m from the scene's origin
@@ -40,10 +42,15 @@ class ReceiverGeometry {
     /// Whether its surface encloses a solid: closed, wound outwards as far as signs of scale can say, and
     /// without holes of cut-outs.
     bool closed() const { return _closed; }
+    /// Whether some of it takes a part of the light and lets the rest through.
+    bool translucent() const { return !_sheerParts.empty(); }
 
   private:
     void uploadImages(gl::Ledger& ledger, const Mesh& mesh);
     void drawPart(std::size_t part, const gl::Program& program, GLenum primitive, float cutoff) const;
+    /// The parts that take at least half of the light; `prepare`: before each.
+    template <typename Prepare>
+    void drawTaking(const gl::Program& program, GLenum primitive, const Prepare& prepare) const;
     gl::VertexArray _vertexArray;
     gl::Buffer _vertices, _indices;
     std::vector<gl::Texture> _images;

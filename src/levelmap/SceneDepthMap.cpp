@@ -47,7 +47,7 @@ void SceneDepthPass::drawReceivers(const gl::Program& program, glm::ivec2 size, 
     for (std::size_t i = 0; i < inputs.receivers.size(); ++i) {
         program.set(ReceiverNumber, int(i));
         if (&program == &_exit) program.set(Closed, inputs.receivers[i].closed() ? 1 : 0);
-        inputs.receivers[i].draw(program);
+        inputs.receivers[i].drawSolid(program);
     }
     glDisable(GL_DEPTH_TEST);
 }

@@ -26,7 +26,7 @@ const std::map<std::string, Strings> mayInclude = {
     {"io", {"core", "scene"}},
     {"water", {"core", "gl", "scene"}},
     {"levelmap", {"core", "gl", "scene", "water"}},
-    {"occlusion", {"core", "gl", "scene"}},
+    {"occlusion", {"core", "gl", "scene", "water", "levelmap"}},
     {"caustics", {"core", "gl", "scene", "water", "levelmap", "occlusion"}},
     {"godrays", {"core", "gl", "scene", "water", "levelmap"}},
     {"view", {"core", "gl", "scene", "water", "levelmap", "caustics"}},

@@ -1,0 +1,14 @@
+// What a translucent receiver's surface takes of the light on it (scene/Mesh.h, transmittance), where its level map shows it.
+// Out 0, RGBA16: 1 - transmittance, [0, 1] by channel.
+#include "include/level_map_texel.glsl"
+layout(binding = 5) uniform sampler2D transmissionTexture; // linear, red
+layout(location = 19) uniform float transmission;
+layout(location = 20) uniform int blended; // 1: alpha is the share of the surface that is there
+layout(location = 0) out vec4 outTaken;
+
+void main() {
+    if (!isInMap()) discard;
+    vec4 color = clamp(baseColor(), 0.0, 1.0);
+    vec3 through = transmission * texture(transmissionTexture, fragmentIn.uv.xy).r * color.rgb;
+    outTaken = vec4((blended != 0 ? color.a : 1.0) * (1.0 - through), 1.0);
+}
