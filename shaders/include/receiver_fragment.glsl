@@ -11,6 +11,7 @@ layout(binding = 0) uniform sampler2D baseColorTexture; // sRGB, white where the
 layout(location = 16) uniform vec4 baseColorFactor;     // linear
 layout(location = 17) uniform float alphaCutoff;        // alpha below it is a hole; 0: no holes
 layout(location = 18) uniform float normalScale;        // 0: the material has no normal map
+layout(location = 21) uniform vec3 emissionFactor;      // radiance of its own, W/(m² sr), times emissionTexture
 
 vec4 baseColor() { return baseColorFactor * fragmentIn.color * texture(baseColorTexture, fragmentIn.uv.xy); }
 

@@ -20,6 +20,7 @@ layout(location = 1) out float outMetres;
 
 layout(binding = 4) uniform sampler2D normalTexture; // tangent space, glTF
 layout(binding = 7) uniform sampler2D lampShadow;    // of a lamp under water
+layout(binding = 8) uniform sampler2D emissionTexture; // sRGB, white where the material has none
 
 const float solidAlpha = 254.5 / 255.0; // as in levelmap/ReceiverGeometry.h
 const float pi = 3.14159265358979;
@@ -80,6 +81,8 @@ vec3 straightIrradiance(vec3 normal, vec3 face) {
     return arriving * surfaceVisibility(position, 6.0 * footprint) * max(-dot(normal, direction), 0.0);
 }
 
+vec3 emission() { return emissionFactor * texture(emissionTexture, fragmentIn.uv.xy).rgb; }
+
 void main() {
     vec3 position = fragmentIn.position;
     vec3 view = seenFrom(position, way) - position;
@@ -112,10 +115,12 @@ void main() {
     if (strength != vec3(0.0)) irradiance += straightIrradiance(turned * shading, face);
     vec3 albedo = base.rgb * (base.a * (1.0 - through) / max(alpha, 1e-3));
     vec3 radiance = albedo / pi * irradiance + (withAmbient != 0 ? albedo * ambientRadiance.rgb : vec3(0.0));
+    vec3 glow = withAmbient != 0 ? base.a * emission() : vec3(0.0);
     if (underwater != 0 && way == straight) {
         vec3 left = extinction(waterExtinction.rgb, length(view));
         radiance = radiance * left + (withAmbient != 0 ? deepRadiance.rgb * (1.0 - left) : vec3(0.0));
+        glow *= left;
     }
-    outRadiance = vec4(radiance * alpha, withAmbient != 0 ? alpha : 0.0); // once, however many lights add to it
+    outRadiance = vec4(radiance * alpha + glow, withAmbient != 0 ? alpha : 0.0); // once, however many lights add to it
     outMetres = length(view);
 }

@@ -9,6 +9,7 @@
 
 #include "core/Error.h"
 #include "engine/Warnings.h"
+#include "io/Files.h"
 
 namespace limpid::apps {
 
@@ -36,6 +37,12 @@ void addCommonOptions(CLI::App& command, CommonOptions& options) {
     command.add_option("--set", options.settings, "KEY=VALUE: change any key of the scene (repeatable)")
         ->allow_extra_args(false)
         ->take_all();
+    command
+        .add_option("--without", options.without,
+                    "PATTERN: leave nodes, meshes and materials of that name out of a model, such as "
+                    "\"Water*\" (repeatable)")
+        ->allow_extra_args(false)
+        ->take_all();
     command.add_flag("--no-skip", options.noSkip,
                      "do all work that skipping would save; the result is the same");
     command.add_option("--device", options.device,
@@ -61,6 +68,12 @@ io::SceneDocument loadDocument(const CommonOptions& options) {
     if (!options.godrays.empty()) overrides.push_back({"godrays.method", options.godrays});
     if (options.planes) overrides.push_back({"caustics.planes", std::to_string(*options.planes)});
     if (options.mapSize) overrides.push_back({"caustics.map_size", std::to_string(*options.mapSize)});
+    if (!options.without.empty() && !io::isModelFile(options.input))
+        throw InputError(
+            fmt::format("--without: expected a model (.glb, .gltf) as input, found {}; in a scene it "
+                        "is a receiver's key, without = [\"{}\"]",
+                        io::oneLine(options.input), io::oneLine(options.without.front())));
+    if (!options.without.empty()) overrides.push_back(io::leavingOut(options.without));
     return io::SceneDocument(options.input, overrides);
 }
 
@@ -119,19 +132,20 @@ void printFlux(const io::Bake& bake) {
     }
 }
 
-void printWork(Engine& engine, gl::Context& context) {
-    fmt::print("GPU: {}\n", context.info().renderer);
+void printWork(Engine& engine, gl::Context& context, std::FILE* out) {
+    fmt::print(out, "GPU: {}\n", context.info().renderer);
     for (const auto& [pass, ms] : engine.timers().collect())
-        fmt::print("  {:<18} {:10.2f} ms\n", pass, ms);
+        fmt::print(out, "  {:<18} {:10.2f} ms\n", pass, ms);
     for (const ReceiverMaps& maps : engine.maps())
-        fmt::print("  {} in {}: {} of {} planes\n", engine.scene().receivers[std::size_t(maps.receiver)].name,
+        fmt::print(out, "  {} in {}: {} of {} planes\n",
+                   engine.scene().receivers[std::size_t(maps.receiver)].name,
                    engine.scene().lights[std::size_t(maps.light)].name, maps.level.planes.size(),
                    maps.level.requestedPlanes);
     for (const auto& [kind, count] : engine.skipped().byKind())
-        fmt::print("  {:<22} {:6} skipped\n", kind, count);
+        fmt::print(out, "  {:<22} {:6} skipped\n", kind, count);
     for (const auto& [kind, bytes] : context.ledger().byKind())
-        fmt::print("  {:<18} {:10.2f} MiB\n", kind, double(bytes) / (1 << 20));
-    fmt::print("  {:<18} {:10.2f} MiB, at most {:.2f} MiB\n", "total",
+        fmt::print(out, "  {:<18} {:10.2f} MiB\n", kind, double(bytes) / (1 << 20));
+    fmt::print(out, "  {:<18} {:10.2f} MiB, at most {:.2f} MiB\n", "total",
                double(context.ledger().total()) / (1 << 20), double(context.ledger().peak()) / (1 << 20));
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdio>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,6 +22,7 @@ struct CommonOptions {
     std::optional<int> planes;
     std::optional<int> mapSize;
     std::vector<std::string> settings; ///< KEY=VALUE
+    std::vector<std::string> without;  ///< patterns of names, for a model alone
     bool noSkip = false;
     std::string device;
     double gpuMemory = 0; ///< MiB; 0: no limit
@@ -46,8 +48,8 @@ glm::ivec2 parseSize(const std::string& text);
 /// The scene's warnings on stderr, unless quiet.
 void printWarnings(const Engine& engine, const CommonOptions& options);
 
-/// GPU time by pass, planes, GPU bytes by kind, on stdout.
-void printWork(Engine& engine, gl::Context& context);
+/// GPU time by pass, planes, GPU bytes by kind.
+void printWork(Engine& engine, gl::Context& context, std::FILE* out = stdout);
 
 /// Whether a program of that name is on the path.
 bool onPath(const std::string& program);

@@ -145,13 +145,13 @@ void printTable(const Comparison& comparison) {
 void requireDiffName(const fs::path& file, bool bakes) {
     if (bakes)
         io::prepareFolder(file);
-    else if (file.extension() != ".png" && file.extension() != ".exr")
+    else if (const std::string suffix = io::lowerCaseSuffix(file); suffix != ".png" && suffix != ".exr")
         throw InputError(fmt::format("--diff: {}: expected a name that ends in .png or .exr, found \"{}\"",
                                      io::oneLine(file.string()), io::oneLine(file.extension().string())));
 }
 
 void writeDifference(const fs::path& file, const ComparedItem& item) {
-    if (file.extension() == ".png") {
+    if (io::lowerCaseSuffix(file) == ".png") {
         io::writePng(file, item.size.x, item.size.y, differencePicture(item.images, item.errors.mean));
         return;
     }

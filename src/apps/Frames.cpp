@@ -14,6 +14,10 @@
 #include "apps/Common.h"
 #include "core/Error.h"
 #include "io/Files.h"
+#include "io/Images.h"
+#include "io/Outputs.h"
+#include "io/SceneSettings.h"
+#include "scene/Fingerprint.h"
 
 namespace limpid::apps {
 
@@ -44,31 +48,69 @@ std::filesystem::path frameName(const std::string& pattern, int number) {
         end < pattern.size() && pattern[end] == 'd' && pattern.find('%', end) == std::string::npos;
     const std::string digits = one ? pattern.substr(percent + 1, end - percent - 1) : "";
     if (!one || digits.size() > 2 || (!digits.empty() && digits[0] != '0'))
-        throw InputError(fmt::format("{}: expected one %04d for the frame's number, found {}", pattern,
-                                     percent == std::string::npos ? "none" : "another pattern"));
+        throw InputError(
+            fmt::format("{}: expected one %04d for the frame's number, found {}", pattern,
+                        percent == std::string::npos ? "none" + io::hashHint(pattern) : "another pattern"));
     const int width = digits.empty() ? 1 : std::atoi(digits.c_str());
     return fmt::format("{}{:0{}}{}", pattern.substr(0, percent), number, width, pattern.substr(end + 1));
 }
 
 bool isVideo(const std::filesystem::path& file) {
-    const auto suffix = file.extension();
+    const std::string suffix = io::lowerCaseSuffix(file);
     return suffix == ".mp4" || suffix == ".mkv" || suffix == ".webm";
 }
 
-VideoWriter::VideoWriter(const std::filesystem::path& file, glm::ivec2 size, double fps)
-    : _file(file), _frameBytes(std::size_t(size.x) * std::size_t(size.y) * 3) {
+std::string FrameSequence::fingerprint(int frame) const {
+    Hash hash;
+    hash(_scene, frame / _fps);
+    return fmt::format("{:016x}", hash.value());
+}
+
+FrameSequence::FrameSequence(const Scene& scene, std::string pattern, glm::ivec2 size, double fps)
+    : _pattern(std::move(pattern)), _size(size), _fps(fps) {
+    Hash hash;
+    hash(lightFingerprint(scene), looksFingerprint(scene));
+    for (const io::Setting& setting : io::settingsOf(scene)) {
+        const std::string line =
+            fmt::format("{}.{}.{}={}\n", setting.section, setting.entry, setting.key, setting.value);
+        hash.add(line.data(), line.size());
+    }
+    hash.add(LIMPID_VERSION, sizeof LIMPID_VERSION);
+    _scene = hash.value();
+}
+
+bool FrameSequence::isThere(int frame, bool overwrite) const {
+    const std::filesystem::path file = frameName(_pattern, frame);
+    if (!std::filesystem::exists(file)) return false;
+    const auto stamp = io::readStamp(file);
+    const bool sized = stamp && glm::ivec2(stamp->width, stamp->height) == _size;
+    if (sized && stamp->fingerprint == fingerprint(frame)) return true;
+    if (overwrite) return false;
+    const std::string found = !stamp || stamp->fingerprint.empty() ? "another picture"
+                              : sized                              ? "one of another scene or time"
+                                      : fmt::format("one of {} x {}", stamp->width, stamp->height);
+    throw InputError(fmt::format("{}: expected this scene's frame of {} x {} pixels, or none, found {}; "
+                                 "--overwrite replaces it",
+                                 io::oneLine(file.string()), _size.x, _size.y, found));
+}
+
+VideoWriter::VideoWriter(const std::filesystem::path& name, glm::ivec2 size, double fps)
+    : _file(io::outputOf(name).file), _frameBytes(std::size_t(size.x) * std::size_t(size.y) * 3) {
     if (!onPath("ffmpeg"))
         throw InputError(fmt::format("{}: expected ffmpeg to write a video with, found none on the path; "
                                      "a name with %04d and .png gives pictures",
-                                     file.string()));
+                                     name.string()));
+    if (io::outputOf(name).isStream())
+        throw InputError(
+            fmt::format("{}: expected a file to write a video to, found a pipe or device", name.string()));
     try {
-        _staging.emplace(file.parent_path());
+        _staging.emplace(_file.parent_path());
     } catch (const std::system_error& error) {
-        throw InputError(fmt::format("{}: cannot write: {}", file.string(), error.what()));
+        throw InputError(fmt::format("{}: cannot write: {}", name.string(), error.what()));
     }
     const std::string resolution = fmt::format("{}x{}", size.x, size.y), rate = fmt::format("{}", fps);
     int ends[2];
-    if (pipe2(ends, O_CLOEXEC) != 0) throw InputError(fmt::format("{}: cannot start ffmpeg", file.string()));
+    if (pipe2(ends, O_CLOEXEC) != 0) throw InputError(fmt::format("{}: cannot start ffmpeg", name.string()));
     _complaints = memfd_create("ffmpeg", MFD_CLOEXEC);
     std::signal(SIGPIPE, SIG_IGN); // ffmpeg's end is noticed by the write that fails
     _process = fork();
@@ -111,14 +153,15 @@ void VideoWriter::finish() {
     _pipe = -1;
     int status = 0;
     waitpid(_process, &status, 0);
-    std::error_code error;
     // On a full disk ffmpeg says so, and ends with status 0.
-    const bool good = status == 0 && complaint().empty();
-    if (good) io::Staging::whole([&] { std::filesystem::rename(partial(), _file, error); });
-    if (good && !error) return;
-    const std::string why = error ? error.message() : complaint();
-    throw InputError(fmt::format("{}: cannot write: ffmpeg ended with status {}: {}", _file.string(),
-                                 WIFEXITED(status) ? WEXITSTATUS(status) : -1, why));
+    if (status != 0 || !complaint().empty())
+        throw InputError(fmt::format("{}: cannot write: ffmpeg ended with status {}: {}", _file.string(),
+                                     WIFEXITED(status) ? WEXITSTATUS(status) : -1, complaint()));
+    try {
+        io::Staging::whole([&] { io::replaceFile(partial(), _file); });
+    } catch (const std::exception& error) {
+        throw InputError(fmt::format("{}: cannot write: {}", _file.string(), error.what()));
+    }
 }
 
 /// What ffmpeg has said, on one line.

@@ -6,6 +6,7 @@
 #include <glm/glm.hpp>
 
 #include "io/Staging.h"
+#include "scene/Scene.h"
 
 namespace limpid::apps {
 
@@ -25,6 +26,27 @@ std::filesystem::path frameName(const std::string& pattern, int number);
 
 /// Whether the name asks for a video (.mp4, .mkv, .webm) in place of pictures.
 bool isVideo(const std::filesystem::path& file);
+
+/// Pictures of one scene, in files that say which frame of it they are, so that an interrupted sequence goes
+/// on.
+class FrameSequence {
+  public:
+    /// Frame i is at i / fps seconds.
+    FrameSequence(const Scene& scene, std::string pattern, glm::ivec2 size, double fps);
+
+    std::filesystem::path file(int frame) const { return frameName(_pattern, frame); }
+    /// A number that changes with all that the frame's picture depends on but its size, as text.
+    std::string fingerprint(int frame) const;
+    /// True if the frame's file has its picture already. Throws InputError if it has another one, unless
+    /// `overwrite`.
+    bool isThere(int frame, bool overwrite) const;
+
+  private:
+    std::string _pattern;
+    glm::ivec2 _size;
+    double _fps;
+    std::uint64_t _scene = 0;
+};
 
 /// Pictures on their way into ffmpeg. The video appears whole or not at all.
 class VideoWriter {

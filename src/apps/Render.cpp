@@ -1,15 +1,17 @@
 #include <filesystem>
 #include <optional>
+#include <vector>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "apps/Common.h"
 #include "apps/Frames.h"
 #include "core/Error.h"
 #include "core/Progress.h"
 #include "engine/Engine.h"
+#include "io/Files.h"
 #include "io/Images.h"
+#include "io/Outputs.h"
 
 namespace limpid::apps {
 
@@ -22,53 +24,68 @@ struct RenderOptions {
     double time = 0;
     std::string frames;
     double fps = 30;
+    bool overwrite = false;
 };
 
-void write(const std::filesystem::path& file, const Picture& picture, double exposure) {
-    if (file.extension() == ".exr")
-        io::writeExr(file, picture.size.x, picture.size.y, {"R", "G", "B"}, picture.rgb);
+void write(const std::filesystem::path& file, const Picture& picture, double exposure,
+           const std::string& fingerprint = "") {
+    if (io::lowerCaseSuffix(file) == ".exr")
+        io::writeExr(file, picture.size.x, picture.size.y, {"R", "G", "B"}, picture.rgb, fingerprint);
     else
-        io::writePng(file, picture.size.x, picture.size.y, toneMapped(picture, exposure));
+        io::writePng(file, picture.size.x, picture.size.y, toneMapped(picture, exposure), fingerprint);
 }
 
+/// Throws InputError unless pictures can be written under that name. Pipes and devices need no suffix.
 void requirePictureName(const std::filesystem::path& file, bool sequence) {
-    if (file.extension() != ".png" && file.extension() != ".exr" && !(sequence && isVideo(file)))
+    const std::string suffix = io::lowerCaseSuffix(file);
+    const bool picture = suffix == ".png" || suffix == ".exr" || io::outputOf(file).isStream();
+    if (!picture && !(sequence && isVideo(file)))
         throw InputError(fmt::format("{}: expected a name that ends in .png or .exr{}, found \"{}\"",
                                      file.string(), sequence ? ", or .mp4, .mkv or .webm" : "",
                                      file.extension().string()));
-    const auto folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
-    if (std::filesystem::is_directory(folder) && access(folder.c_str(), W_OK) != 0)
-        throw InputError(fmt::format("{}: expected a folder to write to, found {} closed to writing",
-                                     file.string(), folder.string()));
-    if (!std::filesystem::is_directory(folder))
-        throw InputError(fmt::format("{}: expected a folder to write to, found none named {}", file.string(),
-                                     folder.string()));
+    io::requireOutput(file);
 }
 
-/// Frame i is at time i / fps. Pictures that are there already are kept, so that an interrupted sequence goes
-/// on.
-void renderFrames(const RenderOptions& options, Engine& engine, glm::ivec2 size, double exposure) {
+/// For reports: stdout unless the picture may go there.
+std::FILE* reportStream(const RenderOptions& options) {
+    return io::outputOf(options.output).isStream() ? stderr : stdout;
+}
+
+void renderVideo(const RenderOptions& options, Engine& engine, glm::ivec2 size, double exposure) {
     const FrameRange range = parseFrames(options.frames);
-    std::optional<VideoWriter> video;
-    if (isVideo(options.output)) video.emplace(options.output, size, options.fps);
+    VideoWriter video(options.output, size, options.fps);
     Progress progress("frames", range.count(), !options.common.quiet);
-    int kept = 0;
     for (int frame = range.first; frame <= range.last; ++frame) {
         progress.update(frame - range.first);
-        const auto file = video ? std::filesystem::path() : frameName(options.output, frame);
-        if (!video && std::filesystem::exists(file)) {
-            ++kept;
-            continue;
-        }
-        const Picture picture = engine.render(frame / options.fps, size);
-        if (video)
-            video->add(toneMapped(picture, exposure).data());
-        else
-            write(file, picture, exposure);
+        video.add(toneMapped(engine.render(frame / options.fps, size), exposure).data());
     }
-    if (video) video->finish();
+    video.finish();
+    if (!options.common.quiet)
+        fmt::print("{}: {} frames of {} x {} pixels\n", options.output, range.count(), size.x, size.y);
+}
+
+/// Numbers of the frames whose pictures are not there yet.
+std::vector<int> missingFrames(const RenderOptions& options, const FrameSequence& sequence) {
+    const FrameRange range = parseFrames(options.frames);
+    std::vector<int> missing;
+    for (int frame = range.first; frame <= range.last; ++frame)
+        if (!sequence.isThere(frame, options.overwrite)) missing.push_back(frame);
+    for (const int frame : missing)
+        io::requireOutput(sequence.file(frame));
+    return missing;
+}
+
+void renderFrames(const RenderOptions& options, Engine& engine, const FrameSequence& sequence,
+                  const std::vector<int>& frames, glm::ivec2 size, double exposure) {
+    const int count = parseFrames(options.frames).count(), kept = count - int(frames.size());
+    Progress progress("frames", count, !options.common.quiet);
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        progress.update(kept + int(i));
+        write(sequence.file(frames[i]), engine.render(frames[i] / options.fps, size), exposure,
+              sequence.fingerprint(frames[i]));
+    }
     if (options.common.quiet) return;
-    fmt::print("{}: {} frames of {} x {} pixels", options.output, range.count(), size.x, size.y);
+    fmt::print("{}: {} frames of {} x {} pixels", options.output, count, size.x, size.y);
     if (kept > 0) fmt::print(", {} of them there already", kept);
     fmt::print("\n");
 }
@@ -81,6 +98,9 @@ void render(const RenderOptions& options) {
     if (sequence && !isVideo(options.output)) frameName(options.output, parseFrames(options.frames).first);
     Scene scene = loadScene(options.common);
     const double exposure = scene.camera.exposure;
+    std::optional<FrameSequence> frames; // a video is written anew
+    if (sequence && !isVideo(options.output)) frames.emplace(scene, options.output, size, options.fps);
+    const std::vector<int> missing = frames ? missingFrames(options, *frames) : std::vector<int>();
     gl::Context context(contextOptions(options.common));
     if (const int most = Engine::largestPicture(context); std::max(size.x, size.y) > most)
         throw InputError(fmt::format(
@@ -89,13 +109,18 @@ void render(const RenderOptions& options) {
     engine.setSkipping(!options.common.noSkip);
     engine.setScene(std::move(scene));
     printWarnings(engine, options.common);
+    if (frames) {
+        renderFrames(options, engine, *frames, missing, size, exposure);
+        return;
+    }
     if (sequence) {
-        renderFrames(options, engine, size, exposure);
+        renderVideo(options, engine, size, exposure);
         return;
     }
     write(options.output, engine.render(options.time, size), exposure);
-    if (!options.common.quiet) fmt::print("{}: {} x {} pixels\n", options.output, size.x, size.y);
-    if (options.common.verbose) printWork(engine, context);
+    if (!options.common.quiet)
+        fmt::print(reportStream(options), "{}: {} x {} pixels\n", options.output, size.x, size.y);
+    if (options.common.verbose) printWork(engine, context, reportStream(options));
 }
 
 } // namespace
@@ -106,13 +131,18 @@ void addRender(CLI::App& app) {
                     "limpid render scene.toml -o f%04d.png --frames 0..99 --fps 25");
     auto options = std::make_shared<RenderOptions>();
     addCommonOptions(*command, options->common);
-    command->add_option("-o,--output", options->output, "picture to write, .png or .exr")->required();
+    command
+        ->add_option("-o,--output", options->output,
+                     "picture to write, .png or .exr; a pipe or device gets a PNG")
+        ->required();
     command->add_option("--size", options->size, "pixels, WxH")->capture_default_str();
     auto* time = command->add_option("--time", options->time, "seconds");
     command
         ->add_option("--frames", options->frames,
                      "A..B: a sequence; the picture's name holds %04d, or ends in .mp4")
         ->excludes(time);
+    command->add_flag("--overwrite", options->overwrite,
+                      "replace frames of another scene or size, in place of an error");
     command->add_option("--fps", options->fps, "frames a second")
         ->check(CLI::Range(1e-3, 1e6))
         ->capture_default_str();

@@ -32,6 +32,7 @@ std::vector<std::pair<std::string, std::string>> sceneKeys() {
         const std::string entry = setting.entry < 0 ? "" : fmt::format("{}.", setting.entry);
         keys.emplace_back(fmt::format("{}.{}{}", setting.section, entry, setting.key), setting.value);
     }
+    keys.emplace_back("receiver.0.without", "[]"); // says what of a file is loaded, not how the scene is
     return keys;
 }
 

@@ -2,6 +2,7 @@
 
 #include "apps/Common.h"
 #include "core/Error.h"
+#include "io/Outputs.h"
 #include <fmt/format.h>
 
 #ifdef LIMPID_WITH_VIEWER
@@ -30,6 +31,7 @@ void view(ViewOptions& options, std::chrono::steady_clock::time_point begin) {
     viewer.file = options.common.input;
     viewer.load = [&] { return loadDocument(options.common); };
     viewer.screenshot = options.screenshot;
+    if (!options.screenshot.empty()) io::requireOutput(options.screenshot);
     viewer.compare = methodFromName(options.compare);
     if (!options.compare.empty() && !viewer.compare)
         throw InputError(

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "engine/ModelWarnings.h"
 #include "water/WaveTerms.h"
 
 namespace limpid {
@@ -18,6 +19,42 @@ double shortest(const Wave& wave) {
         return 2 * std::numbers::pi * highestWave(wave) / std::max(steepestSlope(wave), 1e-12);
     if (wave.type == WaveType::Phillips) return wave.spectrum->shortest;
     return wave.type == WaveType::Noise ? wave.wavelength / std::exp2(wave.octaves - 1) : wave.wavelength;
+}
+
+/// Metres of the waves that a term mostly is of.
+double longest(const Wave& wave) {
+    if (wave.type == WaveType::Phillips) return 2 * std::numbers::pi / wave.spectrum->rmsSlope;
+    return wave.type == WaveType::HeightMap ? shortest(wave) : wave.wavelength;
+}
+
+void warnOfTexels(std::vector<std::string>& warnings, const Scene& scene) {
+    double length = 0;
+    for (const Wave& wave : scene.water.waves)
+        if (wave.amplitude != 0) length = std::max(length, longest(wave));
+    if (length == 0) return;
+    for (const Receiver& receiver : scene.receivers) {
+        const glm::dvec3 size = worldBounds(receiver).size();
+        if (const double texel = std::max(size.x, size.z) / scene.caustics.mapSize; texel > length)
+            warnings.push_back(
+                fmt::format("receiver.{}: expected texels smaller than the waves ({:.3g} m), found {:.3g} m; "
+                            "no caustics show "
+                            "in them; a greater caustics.map_size or a receiver in pieces would show some",
+                            receiver.name, length, texel));
+    }
+}
+
+/// Integers of few bits have stairs for waves, which bend light by themselves.
+void warnOfSteps(std::vector<std::string>& warnings, const Scene& scene) {
+    constexpr double coarse = 2.0 / 1000; // 8 bits have 2 / 255
+    for (std::size_t i = 0; i < scene.water.waves.size(); ++i) {
+        const Wave& wave = scene.water.waves[i];
+        if (wave.type != WaveType::HeightMap || wave.amplitude == 0 || wave.heights->step() < coarse)
+            continue;
+        warnings.push_back(
+            fmt::format("water.wave.{}: expected heights of 16 bits or floating point, found steps of "
+                        "{:.3g} m, which bend light by themselves",
+                        i, wave.heights->step() * std::abs(wave.amplitude)));
+    }
 }
 
 void warnOfWaves(std::vector<std::string>& warnings, const Scene& scene, const WaterPatch& patch) {
@@ -42,7 +79,16 @@ void warnOfWaves(std::vector<std::string>& warnings, const Scene& scene, const W
 
 std::vector<std::string> sceneWarnings(const Scene& scene, const WaterPatch& patch) {
     std::vector<std::string> warnings;
+    for (const Receiver& receiver : scene.receivers)
+        for (const std::string& notice : receiver.mesh->notices)
+            if (std::find(warnings.begin(), warnings.end(), notice) == warnings.end())
+                warnings.push_back(notice);
+    for (const Receiver& receiver : scene.receivers)
+        for (std::string& warning : modelWarnings(receiver, scene.water))
+            warnings.push_back(std::move(warning));
     warnOfWaves(warnings, scene, patch);
+    warnOfSteps(warnings, scene);
+    warnOfTexels(warnings, scene);
     for (const Light& light : scene.lights) {
         if (!entersWater(light, scene.water))
             warnings.push_back(fmt::format(

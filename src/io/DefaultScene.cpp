@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "io/Files.h"
 #include "io/SceneParser.h"
 #include "scene/Basin.h"
 #include "scene/Scene.h"
@@ -259,6 +260,27 @@ toml::table defaultScene(const std::filesystem::path& file, const Model& model) 
                       {"ambient", toml::table{{"radiance", array(ambientRadiance)}}}};
     if (camera) scene.insert("camera", cameraTable(*camera));
     return scene;
+}
+
+std::vector<std::string> unusedViews(const std::filesystem::path& file, const Model& model,
+                                     const toml::table& scene) {
+    const double level = scene["water"]["level"].value_or(0.0);
+    std::vector<std::string> notices;
+    const auto add = [&](const char* kind, const std::string& name, const char* reason) {
+        notices.push_back(
+            fmt::format("{}: {}: not used: {} ({})", oneLine(file.string()), kind,
+                        name.empty() ? "one without a name" : fmt::format("\"{}\"", oneLine(name)), reason));
+    };
+    std::size_t used = 0;
+    for (const Light& light : model.lights)
+        if (!entersWater(light, level))
+            add("lights", light.name, "it does not get into the water");
+        else if (++used > mostLights)
+            add("lights", light.name, "eight are used at the most");
+    if (!model.cameras.empty() && !scene.contains("camera"))
+        add("cameras", "", "it does not see the model from above the floor");
+    if (model.cameras.size() > 1) add("cameras", "", "the first one is used");
+    return notices;
 }
 
 } // namespace limpid::io

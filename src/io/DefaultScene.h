@@ -1,5 +1,7 @@
 #pragma once
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include <toml++/toml.h>
 
@@ -14,5 +16,9 @@ namespace limpid::io {
 /// the model clear of the waves: of a sunken model, the level follows it. A table, so that `--set` reaches
 /// every entry of it.
 toml::table defaultScene(const std::filesystem::path& file, const Model& model);
+
+/// Notices of the model's lights and cameras that its default scene does without, with the reason.
+std::vector<std::string> unusedViews(const std::filesystem::path& file, const Model& model,
+                                     const toml::table& scene);
 
 } // namespace limpid::io

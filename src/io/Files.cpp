@@ -1,5 +1,6 @@
 #include "io/Files.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -9,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "core/Error.h"
+#include "io/Outputs.h"
 
 namespace fs = std::filesystem;
 
@@ -32,14 +34,30 @@ std::string oneLine(std::string_view text, std::size_t limit) {
     return line.substr(0, end) + "…";
 }
 
+std::string lowerCaseSuffix(const fs::path& file) {
+    std::string suffix = file.extension().string();
+    for (char& c : suffix)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return suffix;
+}
+
+std::string hashHint(std::string_view name) {
+    const std::size_t first = name.find('#');
+    if (first == std::string_view::npos) return "";
+    const std::size_t end = std::min(name.find_first_not_of('#', first), name.size());
+    return fmt::format(" ({} is written %{})", name.substr(first, end - first),
+                       end - first == 1 ? "d" : fmt::format("0{}d", end - first));
+}
+
 void requireFile(const fs::path& file) {
     std::error_code error;
     const fs::file_status status = fs::status(file, error);
-    const auto fail = [&](const char* found) {
+    const auto fail = [&](const std::string& found) {
         throw InputError(fmt::format("{}: expected a file, found {}", oneLine(file.string()), found));
     };
-    if (status.type() == fs::file_type::not_found) fail("nothing of that name");
-    if (error) fail(error.message().c_str());
+    if (status.type() == fs::file_type::not_found)
+        fail("nothing of that name" + hashHint(file.filename().string()));
+    if (error) fail(error.message());
     if (fs::is_directory(status)) fail("a folder");
     if (!fs::is_regular_file(status)) fail("something that is no regular file");
     if (fs::file_size(file, error) == 0) fail("an empty file");
@@ -59,12 +77,16 @@ std::vector<std::uint8_t> readBytes(const fs::path& file) {
 }
 
 void writeWhole(const fs::path& file, const std::function<void(const fs::path&)>& write) {
+    requireOutput(file);
+    const Output output = outputOf(file);
     try {
-        if (fs::is_directory(file)) throw std::runtime_error("it is a folder");
-        const Staging staging(file.parent_path());
-        const fs::path partial = staging.path() / file.filename();
+        const Staging staging(output.isStream() ? fs::temp_directory_path() : output.file.parent_path());
+        const fs::path partial = staging.path() / output.file.filename();
         write(partial);
-        Staging::whole([&] { fs::rename(partial, file); });
+        if (output.isStream())
+            sendFile(partial, output);
+        else
+            Staging::whole([&] { replaceFile(partial, output.file); });
     } catch (const std::exception& error) {
         throw InputError(fmt::format("{}: cannot write: {}", oneLine(file.string()), oneLine(error.what())));
     }

@@ -16,6 +16,12 @@ namespace limpid::io {
 /// `limit` bytes.
 std::string oneLine(std::string_view text, std::size_t limit = 200);
 
+/// The suffix of a file's name, dot included, its ASCII letters in lower case: names come in capitals, too.
+std::string lowerCaseSuffix(const std::filesystem::path& file);
+
+/// " (#### is written %04d)" for a name with a run of #, as other programs number frames; else empty.
+std::string hashHint(std::string_view name);
+
 /// Throws InputError unless `file` is a regular file that is not empty.
 void requireFile(const std::filesystem::path& file);
 
@@ -23,8 +29,8 @@ void requireFile(const std::filesystem::path& file);
 std::vector<std::uint8_t> readBytes(const std::filesystem::path& file);
 
 /// Lets `write` fill a file of the same name in a hidden folder beside `file` and moves it to `file`, so that
-/// `file` appears whole or not at all. Throws InputError if anything fails; `write` reports failure by a
-/// std::exception.
+/// `file` appears whole or not at all; links are followed, and an old file's mode stays. To a pipe or device
+/// goes what is whole. Throws InputError if anything fails; `write` reports failure by a std::exception.
 void writeWhole(const std::filesystem::path& file,
                 const std::function<void(const std::filesystem::path& partial)>& write);
 

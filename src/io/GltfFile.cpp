@@ -11,7 +11,9 @@
 #include "io/Files.h"
 #include "io/GltfCompressed.h"
 #include "io/GltfDraco.h"
+#include "io/GltfExtensions.h"
 #include "io/GltfMeshopt.h"
+#include "io/GltfUris.h"
 
 namespace fs = std::filesystem;
 
@@ -53,7 +55,7 @@ bool fileExists(const std::string& uri, void* userData) {
         return false;
     }
     std::error_code ignored;
-    return fs::is_regular_file(access.folder / uri, ignored);
+    return fs::is_regular_file(fileOfUri(access.folder, uri), ignored);
 }
 
 std::string keepPath(const std::string& uri, void*) {
@@ -63,7 +65,7 @@ std::string keepPath(const std::string& uri, void*) {
 bool readWholeFile(std::vector<unsigned char>* out, std::string* error, const std::string& uri,
                    void* userData) {
     try {
-        *out = readBytes(static_cast<FolderAccess*>(userData)->folder / uri);
+        *out = readBytes(fileOfUri(static_cast<FolderAccess*>(userData)->folder, uri));
         return true;
     } catch (const InputError& failure) {
         *error = failure.what();
@@ -147,26 +149,6 @@ void replaceJson(std::vector<std::uint8_t>& glb, std::string json) {
     putU32(glb, glbHeaderSize, json.size());
 }
 
-constexpr std::string_view supportedExtensions[] = {"KHR_mesh_quantization",      "KHR_texture_transform",
-                                                    "KHR_draco_mesh_compression", "EXT_meshopt_compression",
-                                                    "KHR_meshopt_compression",    "EXT_mesh_gpu_instancing",
-                                                    "KHR_lights_punctual"};
-
-/// Extensions that change only how a surface looks may be required and still be left out.
-bool isSupported(std::string_view extension) {
-    return std::find(std::begin(supportedExtensions), std::end(supportedExtensions), extension) !=
-               std::end(supportedExtensions) ||
-           extension.starts_with("KHR_materials_");
-}
-
-void checkExtensions(const GltfFile& file) {
-    for (const std::string& extension : file.model.extensionsRequired)
-        if (!isSupported(extension))
-            file.fail("extensionsRequired",
-                      fmt::format("{} or KHR_materials_*", fmt::join(supportedExtensions, ", ")),
-                      fmt::format("\"{}\"", oneLine(extension, 80)));
-}
-
 void checkVersion(const GltfFile& file) {
     const tinygltf::Asset& asset = file.model.asset;
     if (!asset.version.starts_with("2."))
@@ -175,20 +157,23 @@ void checkVersion(const GltfFile& file) {
         file.fail("asset.minVersion", "2.0", fmt::format("\"{}\"", oneLine(asset.minVersion, 40)));
 }
 
-/// Checks the file as far as tinygltf needs it, and changes what of compressed files it would not take.
+std::string_view jsonOf(const GltfFile& file, const std::vector<std::uint8_t>& bytes) {
+    return isBinary(bytes) ? checkGlb(file, bytes)
+                           : std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+}
+
+/// Checks the file as far as tinygltf needs it, and changes what of its JSON it would not take, or take
+/// wrongly.
 void prepare(const GltfFile& file, std::vector<std::uint8_t>& bytes) {
-    const std::string_view json =
-        isBinary(bytes) ? checkGlb(file, bytes)
-                        : std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-    if (jsonDepth(json) > maxJsonDepth)
-        file.fail("JSON", fmt::format("at most {} nested levels", maxJsonDepth),
-                  fmt::format("{}", jsonDepth(json)));
-    if (std::optional<std::string> changed = withoutCompressionGaps(json)) {
-        if (isBinary(bytes))
-            replaceJson(bytes, std::move(*changed));
-        else
-            bytes.assign(changed->begin(), changed->end());
-    }
+    if (const int depth = jsonDepth(jsonOf(file, bytes)); depth > maxJsonDepth)
+        file.fail("JSON", fmt::format("at most {} nested levels", maxJsonDepth), fmt::format("{}", depth));
+    for (const auto change : {withoutCompressionGaps, withEscapedUris})
+        if (std::optional<std::string> changed = change(jsonOf(file, bytes))) {
+            if (isBinary(bytes))
+                replaceJson(bytes, std::move(*changed));
+            else
+                bytes.assign(changed->begin(), changed->end());
+        }
     if (bytes.size() > std::numeric_limits<std::uint32_t>::max())
         file.fail("glTF", "a file below 4 GiB", fmt::format("{} bytes", bytes.size()));
 }
@@ -208,7 +193,8 @@ void parse(GltfFile& file, const std::vector<std::uint8_t>& bytes, FolderAccess&
     } catch (const std::exception& failure) {
         error += failure.what();
     }
-    checkExtensions(file); // before tinygltf's own error, which an unknown extension may be the cause of
+    // Before tinygltf's own error, which an unknown extension may be the cause of.
+    checkRequiredExtensions(file);
     if (good) return;
     if (!access.refused.empty() && error.find("File not found") != std::string::npos)
         file.fail("buffers", "a file inside of the model's folder",

@@ -1,13 +1,13 @@
 #include "io/GltfImages.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <cstring>
 
 #include <fmt/format.h>
 
 #include "io/Files.h"
 #include "io/GltfAccessor.h"
+#include "io/GltfNotices.h"
 
 namespace limpid::io {
 
@@ -58,8 +58,10 @@ std::uint8_t reduceTo8Bits(const unsigned char* bytes) {
 }
 
 /// Why a picture is not to be decoded; empty if it is.
-std::string objection(std::span<const std::uint8_t> encoded, std::size_t pixelsBefore) {
-    if (encoded.empty()) return "it could not be read";
+std::string objection(const std::string& uri, std::span<const std::uint8_t> encoded,
+                      std::size_t pixelsBefore) {
+    if (encoded.empty() && !uri.empty() && !uri.starts_with("data:"))
+        return fmt::format("no file of the model's folder is \"{}\"", oneLine(uri, 80));
     if (encoded.size() > maxEncodedBytes) return "it is too large";
     const std::optional<glm::ivec2> size = pictureSize(encoded);
     if (!size) return "it is neither PNG nor JPEG";
@@ -84,10 +86,10 @@ std::optional<Image> ImageSet::decode(int index) {
     std::span<const std::uint8_t> encoded(source.image);
     if (source.bufferView >= 0) encoded = bufferViewBytes(_file, place + ".bufferView", source.bufferView);
     tinygltf::Image decoded;
-    std::string error = objection(encoded, _pixels), warning;
+    std::string error = objection(source.uri, encoded, _pixels), warning;
     if (!error.empty() || !tinygltf::LoadImageData(&decoded, index, &error, &warning, 0, 0, encoded.data(),
                                                    static_cast<int>(encoded.size()), nullptr)) {
-        fmt::print(stderr, "{}: {}: warning: texture left out: {}\n", _file.name, place, oneLine(error));
+        addNotice(_file, _mesh, place, "texture left out: " + oneLine(error));
         return std::nullopt;
     }
     Image image{decoded.width, decoded.height, std::move(decoded.image)};
@@ -110,8 +112,8 @@ int ImageSet::add(int index, bool srgb) {
     std::optional<Image> image = decode(index);
     if (!image) return -1;
     image->srgb = srgb;
-    known->second = static_cast<int>(_images.size());
-    _images.push_back(std::move(*image));
+    known->second = static_cast<int>(_mesh.images.size());
+    _mesh.images.push_back(std::move(*image));
     return known->second;
 }
 

@@ -16,11 +16,11 @@ namespace limpid::io {
 std::optional<glm::ivec2> pictureSize(std::span<const std::uint8_t> encoded);
 
 /// The images of a file that a mesh uses, each decoded once. Those that are missing, broken or too large (a
-/// side of more than 16384 pixels, 256 million pixels in all) cost one line on stderr.
+/// side of more than 16384 pixels, 256 million pixels in all) cost one notice.
 class ImageSet {
   public:
-    /// Decodes into `images`; both must outlive the set.
-    ImageSet(const GltfFile& file, std::vector<Image>& images) : _file(file), _images(images) {}
+    /// Decodes into the mesh's images, with notices of what cannot be had; both must outlive the set.
+    ImageSet(const GltfFile& file, Mesh& mesh) : _file(file), _mesh(mesh) {}
 
     /// The place in the mesh's images of the file's image `index`, -1 if it cannot be had. An image that is
     /// used as colours and as data is there twice. Throws InputError for a buffer view that breaks the
@@ -31,7 +31,7 @@ class ImageSet {
     std::optional<Image> decode(int index);
 
     const GltfFile& _file;
-    std::vector<Image>& _images;
+    Mesh& _mesh;
     std::map<std::pair<int, bool>, int> _known;
     std::size_t _pixels = 0;
 };

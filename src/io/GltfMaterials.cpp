@@ -7,7 +7,9 @@
 #include <fmt/format.h>
 
 #include "io/GltfCompressed.h"
+#include "io/GltfExtensions.h"
 #include "io/GltfImages.h"
+#include "io/GltfNotices.h"
 
 namespace limpid::io {
 
@@ -16,6 +18,7 @@ namespace {
 constexpr int samplerClamp = 33071;
 constexpr int samplerMirror = 33648;
 constexpr int samplerNearest = 9728;
+constexpr char glossinessExtension[] = "KHR_materials_pbrSpecularGlossiness";
 constexpr char transmissionExtension[] = "KHR_materials_transmission";
 
 /// A texture as a material refers to it, in the core format or in an extension.
@@ -54,6 +57,11 @@ std::string materialPlace(std::size_t material) {
     return fmt::format("materials[{}]", material);
 }
 
+/// KHR_materials_pbrSpecularGlossiness, whose diffuse colour stands for the base colour; null without it.
+const tinygltf::Value* glossinessOf(const GltfFile& file, std::size_t index) {
+    return extensionObject(file.model.materials[index].extensions, glossinessExtension);
+}
+
 TextureUses usesOf(const GltfFile& file, std::size_t index) {
     const tinygltf::Material& material = file.model.materials[index];
     const std::string place = materialPlace(index);
@@ -65,6 +73,9 @@ TextureUses usesOf(const GltfFile& file, std::size_t index) {
     if (const auto* object = extensionObject(material.extensions, transmissionExtension))
         uses.transmission = extensionUse(file, fmt::format("{}.{}", place, transmissionExtension), *object,
                                          "transmissionTexture");
+    if (const auto* object = glossinessOf(file, index))
+        uses.color =
+            extensionUse(file, fmt::format("{}.{}", place, glossinessExtension), *object, "diffuseTexture");
     return uses;
 }
 
@@ -140,15 +151,26 @@ void convertLight(const GltfFile& file, std::size_t index, Material& material) {
     }
 }
 
+glm::vec4 baseColor(const GltfFile& file, std::size_t index) {
+    std::vector<double> factor = file.model.materials[index].pbrMetallicRoughness.baseColorFactor;
+    std::string place = materialPlace(index) + ".pbrMetallicRoughness.baseColorFactor";
+    if (const auto* object = glossinessOf(file, index)) {
+        place = fmt::format("{}.{}", materialPlace(index), glossinessExtension);
+        factor = {1, 1, 1, 1};
+        readNumbers(file, place, *object, "diffuseFactor", factor);
+    }
+    glm::vec4 color;
+    for (int c = 0; c < 4; ++c)
+        color[c] = std::clamp(finiteFactor(file, place, factor.at(static_cast<std::size_t>(c))), 0.0f, 1.0f);
+    return color;
+}
+
 Material convert(const GltfFile& file, std::size_t index) {
     const tinygltf::Material& source = file.model.materials[index];
     const std::string place = materialPlace(index);
     Material material;
-    for (int c = 0; c < 4; ++c) {
-        const double factor = source.pbrMetallicRoughness.baseColorFactor.at(static_cast<std::size_t>(c));
-        const float value = finiteFactor(file, place + ".pbrMetallicRoughness.baseColorFactor", factor);
-        material.baseColor[c] = std::clamp(value, 0.0f, 1.0f);
-    }
+    material.name = source.name;
+    material.baseColor = baseColor(file, index);
     // A later version's modes count as the default, as glTF wants it of versions with the same first number.
     if (source.alphaMode == "MASK") material.alphaMode = AlphaMode::Mask;
     if (source.alphaMode == "BLEND") material.alphaMode = AlphaMode::Blend;
@@ -186,24 +208,38 @@ const TextureUse& uvsOf(const GltfFile& file, const TextureUses& uses) {
 }
 
 /// A texture on a material's `uvs`: its place in the mesh's images, -1 if there is none.
-int addOnUvs(const GltfFile& file, const TextureUses& uses, const TextureUse& use, bool srgb,
+int addOnUvs(const GltfFile& file, const TextureUses& uses, const TextureUse& use, bool srgb, Mesh& mesh,
              ImageSet& images) {
     const int image = imageOf(file, use);
     if (image < 0) return -1;
     const TextureUse& main = uvsOf(file, uses);
     if (mappingOf(file, use) == mappingOf(file, main)) return images.add(image, srgb);
-    fmt::print(stderr, "{}: {}: warning: texture left out: it lies on other coordinates than {}\n", file.name,
-               use.place, main.place);
+    addNotice(file, mesh, use.place,
+              fmt::format("texture left out: it lies on other coordinates than {}", main.place));
     return -1;
 }
 
-/// The textures of a material that is in use.
-void addTextures(const GltfFile& file, std::size_t index, ImageSet& images, Material& material) {
+/// Notices for textures whose picture is given in an extension's format alone.
+void noticeOtherFormats(const GltfFile& file, const TextureUses& uses, Mesh& mesh) {
+    for (const TextureUse* use : {&uses.color, &uses.normal, &uses.transmission, &uses.emission}) {
+        const tinygltf::Texture* texture = textureOf(file, *use);
+        if (!texture || texture->source != -1) continue;
+        const std::string place = fmt::format("textures[{}]", use->index);
+        if (texture->extensions.empty()) addNotice(file, mesh, place, "texture left out: it has no picture");
+        for (const auto& [name, value] : texture->extensions)
+            addNotice(file, mesh, place, fmt::format("texture left out: {}: {}", name, unusedReason(name)));
+    }
+}
+
+/// The textures of the mesh's material `index`, which is in use.
+void addTextures(const GltfFile& file, std::size_t index, ImageSet& images, Mesh& mesh) {
     const TextureUses uses = usesOf(file, index);
+    noticeOtherFormats(file, uses, mesh);
+    Material& material = mesh.materials[index];
     const int normalImage = imageOf(file, uses.normal);
-    material.baseColorImage = addOnUvs(file, uses, uses.color, true, images);
-    material.transmissionImage = addOnUvs(file, uses, uses.transmission, false, images);
-    material.emissionImage = addOnUvs(file, uses, uses.emission, true, images);
+    material.baseColorImage = addOnUvs(file, uses, uses.color, true, mesh, images);
+    material.transmissionImage = addOnUvs(file, uses, uses.transmission, false, mesh, images);
+    material.emissionImage = addOnUvs(file, uses, uses.emission, true, mesh, images);
     if (normalImage >= 0) material.normalImage = images.add(normalImage, false);
     const auto wrap = [&](const TextureUse& use, Wrap& s, Wrap& t) {
         const tinygltf::Sampler* sampler = samplerOf(file, use);
@@ -239,10 +275,10 @@ void addMaterials(const GltfFile& file, Mesh& mesh) {
     std::vector<bool> used(count + 1, false);
     for (const MeshPart& part : mesh.parts)
         used[static_cast<std::size_t>(part.material)] = true;
-    ImageSet images(file, mesh.images);
+    ImageSet images(file, mesh);
     for (std::size_t i = 0; i < count; ++i) {
         mesh.materials.push_back(convert(file, i));
-        if (used[i]) addTextures(file, i, images, mesh.materials.back());
+        if (used[i]) addTextures(file, i, images, mesh);
     }
     if (used.back() || mesh.materials.empty()) mesh.materials.push_back(Material{glm::vec4(1.0f), -1});
 }

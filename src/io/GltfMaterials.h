@@ -8,7 +8,7 @@ namespace limpid::io {
 
 /// Fills `mesh.materials` with the file's materials in their order, after them the format's default (white)
 /// if a part uses it or there are no others, and `mesh.images` with the textures of those that parts use. An
-/// image that is missing or cannot be decoded costs one line on stderr, and its materials do without it.
+/// image that is missing or cannot be decoded costs a notice, and its materials do without it.
 /// Throws InputError for an index or factor that breaks the format.
 void addMaterials(const GltfFile& file, Mesh& mesh);
 

@@ -6,6 +6,8 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
 
+#include "io/GltfCompressed.h"
+
 namespace limpid::io {
 
 namespace {
@@ -109,7 +111,8 @@ std::vector<std::size_t> rootNodes(const GltfFile& file, const std::vector<int>&
     return roots;
 }
 
-/// Calls `visit(node, transform)` for `roots` and all below them, in the file's order.
+/// Calls `visit(node, transform)` for `roots` and all below them, in the file's order; below a node for which
+/// it gives false, for none.
 template <typename Visit>
 void walk(const GltfFile& file, const std::vector<std::size_t>& roots, const Visit& visit) {
     struct Step {
@@ -123,14 +126,23 @@ void walk(const GltfFile& file, const std::vector<std::size_t>& roots, const Vis
         const Step step = pending.back();
         pending.pop_back();
         const glm::dmat4 transform = step.parent * localTransform(file, step.node);
-        visit(step.node, transform);
+        if (!visit(step.node, transform)) continue;
         const std::vector<int>& children = file.model.nodes[step.node].children;
         for (auto child = children.rbegin(); child != children.rend(); ++child)
             pending.push_back({static_cast<std::size_t>(*child), transform});
     }
 }
 
+bool isHidden(const tinygltf::Node& node) {
+    const auto* object = extensionObject(node.extensions, "KHR_node_visibility");
+    return object && object->Get("visible").IsBool() && !object->Get("visible").Get<bool>();
+}
+
 } // namespace
+
+const std::string& meshName(const GltfFile& file, const tinygltf::Node& node) {
+    return file.model.meshes[static_cast<std::size_t>(node.mesh)].name;
+}
 
 glm::dmat4 composeTransform(const GltfFile& file, const std::string& place, const glm::dvec3& translation,
                             const glm::dvec4& rotation, const glm::dvec3& scale) {
@@ -142,18 +154,22 @@ glm::dmat4 composeTransform(const GltfFile& file, const std::string& place, cons
            glm::mat4_cast(glm::dquat(unit.w, unit.x, unit.y, unit.z)) * glm::scale(glm::dmat4(1.0), scale);
 }
 
-std::vector<SceneNode> sceneNodes(const GltfFile& file) {
+std::vector<SceneNode> sceneNodes(const GltfFile& file, const NamePatterns& without) {
     const std::vector<int> parents = findParents(file);
     checkCycles(file, parents);
     std::vector<SceneNode> found;
     walk(file, rootNodes(file, parents), [&](std::size_t index, const glm::dmat4& transform) {
         const tinygltf::Node& node = file.model.nodes[index];
+        if (isHidden(node)) return false;
         if (node.mesh != -1)
             file.requireIndex(nodePlace(index) + ".mesh", node.mesh, file.model.meshes.size());
         if (node.camera != -1)
             file.requireIndex(nodePlace(index) + ".camera", node.camera, file.model.cameras.size());
+        if (without.match(node.name) || (node.mesh != -1 && without.match(meshName(file, node))))
+            return false;
         if (node.mesh != -1 || node.camera != -1 || node.extensions.contains("KHR_lights_punctual"))
             found.push_back({index, transform});
+        return true;
     });
     return found;
 }
@@ -164,7 +180,10 @@ std::vector<glm::dmat4> nodeTransforms(const GltfFile& file) {
     for (std::size_t i = 0; i < parents.size(); ++i)
         if (parents[i] == noParent) roots.push_back(i);
     std::vector<glm::dmat4> transforms(parents.size());
-    walk(file, roots, [&](std::size_t index, const glm::dmat4& transform) { transforms[index] = transform; });
+    walk(file, roots, [&](std::size_t index, const glm::dmat4& transform) {
+        transforms[index] = transform;
+        return true;
+    });
     return transforms;
 }
 

@@ -4,6 +4,7 @@
 #include <glm/glm.hpp>
 
 #include "io/GltfFile.h"
+#include "io/NamePatterns.h"
 
 namespace limpid::io {
 
@@ -14,9 +15,13 @@ struct SceneNode {
 };
 
 /// The nodes with a mesh, camera or light of the default scene, else of scene 0, else below all root nodes.
+/// Nodes that are hidden (KHR_node_visibility) or that `without` names are left out with all below them.
 /// Their meshes and cameras are valid indices. Throws InputError if the nodes are no trees or a transform is
 /// not finite.
-std::vector<SceneNode> sceneNodes(const GltfFile& file);
+std::vector<SceneNode> sceneNodes(const GltfFile& file, const NamePatterns& without);
+
+/// Of a node whose mesh is a valid index.
+const std::string& meshName(const GltfFile& file, const tinygltf::Node& node);
 
 /// Where every node of the file is, in a scene or not. `sceneNodes` must have been found good.
 std::vector<glm::dmat4> nodeTransforms(const GltfFile& file);

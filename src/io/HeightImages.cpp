@@ -90,6 +90,7 @@ class HeightImages final : public HeightSource {
 
     int frameCount() const override { return _count; }
     const HeightBounds& bounds() const override { return _bounds; }
+    double step() const override { return _step; }
 
     std::shared_ptr<const HeightField> frame(int index) override {
         if (_kept[1].first == index) std::swap(_kept[0], _kept[1]);
@@ -102,13 +103,14 @@ class HeightImages final : public HeightSource {
     }
 
   private:
-    std::shared_ptr<const HeightField> load(int index) const {
+    std::shared_ptr<const HeightField> load(int index) {
         const fs::path file = _pattern ? _pattern->file(_firstNumber + index) : _file;
         Channel image = readFirstChannel(file, HeightField::minSide, HeightField::maxSide);
         const glm::ivec2 size(image.width, image.height), expected = _bounds.size;
         if (expected.x > 0 && size != expected)
             throw InputError(fmt::format("{}: expected {} x {} pixels as in the first frame, found {} x {}",
                                          oneLine(file.string()), expected.x, expected.y, size.x, size.y));
+        if (index == 0) _step = 2 * image.step; // as the heights below
         for (std::size_t i = 0; i < image.data.size(); ++i)
             if (float& value = image.data[i]; !(std::abs(value) <= highestValue))
                 throw InputError(fmt::format("{}: expected heights from -1e12 to 1e12, found {} in row {}, "
@@ -127,6 +129,7 @@ class HeightImages final : public HeightSource {
     int _firstNumber = 0;
     int _count = 1;
     HeightBounds _bounds;
+    double _step = 0;
     /// The frames asked for last, the latest first.
     std::array<std::pair<int, std::shared_ptr<const HeightField>>, 2> _kept{{{-1, {}}, {-1, {}}}};
 };

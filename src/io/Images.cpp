@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cerrno>
+#include <cmath>
 #include <cstring>
 #include <fstream>
 #include <stdexcept>
@@ -28,12 +29,17 @@ namespace {
 /// claims.
 constexpr std::int64_t freeNumbers = std::int64_t(1) << 28, numbersPerByte = 1032;
 
+/// A text in a picture's header.
+constexpr const char* fingerprintKey = "LimpidFingerprint";
+
 /// The library writes PNG without a look at whether the disk takes it, so it writes to memory, and we to the
 /// disk.
-void writeImage(const fs::path& file, const OIIO::ImageSpec& spec, OIIO::TypeDesc type, const void* data) {
+/// `format`: the library's name of it.
+void writeImage(const fs::path& file, const char* format, const OIIO::ImageSpec& spec, OIIO::TypeDesc type,
+                const void* data) {
     writeWhole(file, [&](const fs::path& partial) {
         OIIO::Filesystem::IOVecOutput bytes;
-        const auto output = OIIO::ImageOutput::create(partial.string(), &bytes);
+        const auto output = OIIO::ImageOutput::create(format, &bytes);
         if (!output) throw std::runtime_error(OIIO::geterror());
         if (!output->open(partial.string(), spec) || !output->write_image(type, data) || !output->close())
             throw std::runtime_error(output->geterror());
@@ -72,7 +78,7 @@ class QuietStderr {
 } // namespace
 
 void writeExr(const fs::path& file, int width, int height, std::vector<std::string> channelNames,
-              std::span<const float> data) {
+              std::span<const float> data, const std::string& fingerprint) {
     const auto channels = static_cast<int>(channelNames.size());
     assert(data.size() == std::size_t(width) * std::size_t(height) * std::size_t(channels));
     OIIO::ImageSpec spec(width, height, channels, OIIO::TypeFloat);
@@ -80,14 +86,30 @@ void writeExr(const fs::path& file, int width, int height, std::vector<std::stri
     spec.attribute("compression", "zip");
     // Without one the library writes the time of day, and equal pictures differ byte by byte.
     spec.attribute("DateTime", "1970:01:01 00:00:00");
-    writeImage(file, spec, OIIO::TypeFloat, data.data());
+    if (!fingerprint.empty()) spec.attribute(fingerprintKey, fingerprint);
+    writeImage(file, "openexr", spec, OIIO::TypeFloat, data.data());
 }
 
-void writePng(const fs::path& file, int width, int height, std::span<const std::uint8_t> rgb) {
+void writePng(const fs::path& file, int width, int height, std::span<const std::uint8_t> rgb,
+              const std::string& fingerprint) {
     assert(rgb.size() == std::size_t(width) * std::size_t(height) * 3);
     OIIO::ImageSpec spec(width, height, 3, OIIO::TypeUInt8);
     spec.attribute("oiio:ColorSpace", "sRGB");
-    writeImage(file, spec, OIIO::TypeUInt8, rgb.data());
+    if (!fingerprint.empty()) spec.attribute(fingerprintKey, fingerprint);
+    writeImage(file, "png", spec, OIIO::TypeUInt8, rgb.data());
+}
+
+std::optional<Stamp> readStamp(const fs::path& file) {
+    std::error_code error;
+    if (!fs::is_regular_file(file, error)) return {};
+    const QuietStderr quiet;
+    const auto input = OIIO::ImageInput::open(file.string());
+    if (!input) {
+        OIIO::geterror(); // or it would be the next failure's
+        return {};
+    }
+    const OIIO::ImageSpec& spec = input->spec();
+    return Stamp{spec.width, spec.height, std::string(spec.get_string_attribute(fingerprintKey))};
 }
 
 Channel readFirstChannel(const fs::path& file, int minSide, int maxSide) {
@@ -102,7 +124,9 @@ Channel readFirstChannel(const fs::path& file, int minSide, int maxSide) {
         spec.nchannels < 1 || spec.depth > 1)
         throw InputError(fmt::format("{}: expected {} to {} pixels a side, found {} x {}",
                                      oneLine(file.string()), minSide, maxSide, spec.width, spec.height));
-    Channel channel{spec.width, spec.height, spec.channelformat(0).is_floating_point(), {}};
+    Channel channel{spec.width, spec.height, spec.channelformat(0).is_floating_point(), 0, {}};
+    const int bits = spec.get_int_attribute("oiio:BitsPerSample", int(8 * spec.channelformat(0).size()));
+    if (!channel.floatingPoint) channel.step = 1 / (std::exp2(bits) - 1);
     channel.data.resize(std::size_t(spec.width) * std::size_t(spec.height));
     if (!input->read_image(0, 0, 0, 1, OIIO::TypeFloat, channel.data.data()))
         failReading(file, input->geterror());

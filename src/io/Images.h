@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -20,18 +21,30 @@ struct FloatImage {
 };
 
 /// Writes float32 OpenEXR, zip-compressed. `data` holds width · height · channelNames.size() numbers.
-/// Throws InputError if the file cannot be written.
+/// `fingerprint`: see `readStamp`; empty for none. Throws InputError if the file cannot be written.
 void writeExr(const std::filesystem::path& file, int width, int height, std::vector<std::string> channelNames,
-              std::span<const float> data);
+              std::span<const float> data, const std::string& fingerprint = "");
 
 /// Writes 8-bit sRGB. `rgb` holds width · height · 3 bytes. Throws InputError if the file cannot be written.
-void writePng(const std::filesystem::path& file, int width, int height, std::span<const std::uint8_t> rgb);
+void writePng(const std::filesystem::path& file, int width, int height, std::span<const std::uint8_t> rgb,
+              const std::string& fingerprint = "");
+
+/// The header of a picture.
+struct Stamp {
+    int width = 0;
+    int height = 0;
+    std::string fingerprint; ///< as it was written; empty if there was none
+};
+
+/// None for what is no picture.
+std::optional<Stamp> readStamp(const std::filesystem::path& file);
 
 /// The first channel of a picture, row by row from the top.
 struct Channel {
     int width = 0;
     int height = 0;
     bool floatingPoint = false; ///< how the file stores it; integers come scaled to [0, 1]
+    double step = 0;            ///< of integers, scaled: 1/255 with 8 bits; 0 for floating point
     std::vector<float> data;
 };
 

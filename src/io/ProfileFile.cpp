@@ -198,7 +198,7 @@ std::vector<ProfileReceiver> modelReceivers(const fs::path& modelOrFolder) {
     std::vector<fs::path> models;
     if (fs::is_directory(modelOrFolder)) {
         for (const auto& entry : fs::directory_iterator(modelOrFolder))
-            if (entry.path().extension() == ".glb") models.push_back(entry.path());
+            if (lowerCaseSuffix(entry.path()) == ".glb") models.push_back(entry.path());
         std::sort(models.begin(), models.end());
         if (models.empty())
             throw InputError(fmt::format("{}: expected models (.glb) in the folder, found none",

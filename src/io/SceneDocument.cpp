@@ -26,15 +26,20 @@ struct SceneDocument::Content {
     toml::table root; ///< with the overrides
     MeshCache meshes;
     Scene scene;
+
+    void readScene(const std::vector<Override>& overrides);
+    void readModel(const std::vector<Override>& overrides);
 };
 
 namespace {
 
-std::string lowerCaseSuffix(const fs::path& file) {
-    std::string suffix = file.extension().string();
-    for (char& c : suffix)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    return suffix;
+/// The key `without` of the receiver that a model alone becomes. Throws InputError.
+NamePatterns withoutOfModel(const toml::table& root, const fs::path& file) {
+    const toml::table* receiver = root["receiver"][0].as_table();
+    if (!receiver) return {};
+    const std::string fileName = file.string();
+    TomlTable table(*receiver, fmt::format("receiver.{}", (*receiver)["name"].value_or("0")), fileName);
+    return parseWithout(table);
 }
 
 /// A preset takes the place of the waves that were made for a model alone, unless they are asked for as well.
@@ -227,26 +232,52 @@ std::string rewritten(toml::table root, const Changes& changes) {
 
 } // namespace
 
+bool isModelFile(const fs::path& file) {
+    const std::string suffix = lowerCaseSuffix(file);
+    return suffix == ".glb" || suffix == ".gltf";
+}
+
+Override leavingOut(const std::vector<std::string>& patterns) {
+    toml::array list;
+    for (const std::string& pattern : patterns)
+        list.push_back(pattern);
+    return {"receiver.0.without", asToml(list)};
+}
+
+void SceneDocument::Content::readScene(const std::vector<Override>& overrides) {
+    const std::vector<std::uint8_t> bytes = readBytes(file);
+    const std::string all(bytes.begin(), bytes.end());
+    root = parseToml(all, file.string());
+    if (overrides.empty()) text = all;
+    applyOverrides(root, overrides);
+}
+
+/// A model alone. What it is to go without has no say in the scene that is made for it.
+void SceneDocument::Content::readModel(const std::vector<Override>& overrides) {
+    const auto read = [&](const NamePatterns& without) {
+        Model model = loadModel(file, without);
+        root = defaultScene(file, model);
+        for (std::string& notice : unusedViews(file, model, root))
+            model.mesh.notices.push_back(std::move(notice));
+        applyOverrides(root, overrides);
+        meshes[{fs::weakly_canonical(file), without}] = std::make_shared<const Mesh>(std::move(model.mesh));
+    };
+    read({});
+    if (const NamePatterns without = withoutOfModel(root, file); !without.empty()) read(without);
+    dropReplacedWaves(root, overrides);
+}
+
 SceneDocument::SceneDocument(const fs::path& file, const std::vector<Override>& overrides)
     : _content(std::make_unique<Content>()) {
     requireFile(file);
-    const std::string suffix = lowerCaseSuffix(file);
     _content->file = file;
-    if (suffix == ".toml") {
-        const std::vector<std::uint8_t> bytes = readBytes(file);
-        const std::string text(bytes.begin(), bytes.end());
-        _content->root = parseToml(text, file.string());
-        if (overrides.empty()) _content->text = text;
-    } else if (suffix == ".glb" || suffix == ".gltf") {
-        Model model = loadModel(file);
-        _content->root = defaultScene(file, model);
-        _content->meshes[fs::weakly_canonical(file)] = std::make_shared<const Mesh>(std::move(model.mesh));
-    } else {
+    if (isModelFile(file))
+        _content->readModel(overrides);
+    else if (const std::string suffix = lowerCaseSuffix(file); suffix == ".toml")
+        _content->readScene(overrides);
+    else
         throw InputError(fmt::format("{}: expected a .toml, .glb or .gltf file, found \"{}\"",
                                      oneLine(file.string()), oneLine(suffix)));
-    }
-    applyOverrides(_content->root, overrides);
-    if (suffix != ".toml") dropReplacedWaves(_content->root, overrides);
     _content->scene = parseScene(_content->root, file, _content->meshes);
 }
 

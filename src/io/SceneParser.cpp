@@ -235,14 +235,14 @@ std::shared_ptr<const Mesh> loadModel(TomlTable& table, const fs::path& folder, 
     std::string name;
     table.text("gltf", name, "the path of a .glb or .gltf file");
     const fs::path file = folder / name;
+    const NamePatterns without = parseWithout(table);
     try {
         requireFile(file);
     } catch (const InputError& error) {
         throw InputError(table.where("gltf") + error.what());
     }
-    const fs::path key = fs::weakly_canonical(file);
-    std::shared_ptr<const Mesh>& mesh = meshes[key];
-    if (!mesh) mesh = std::make_shared<const Mesh>(loadGltf(file));
+    std::shared_ptr<const Mesh>& mesh = meshes[{fs::weakly_canonical(file), without}];
+    if (!mesh) mesh = std::make_shared<const Mesh>(loadGltf(file, without));
     return mesh;
 }
 

@@ -2,15 +2,27 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <tuple>
 
 #include <toml++/toml.h>
 
+#include "io/NamePatterns.h"
 #include "scene/Scene.h"
 
 namespace limpid::io {
 
-/// Models by absolute path, so that receivers of the same file share one mesh.
-using MeshCache = std::map<std::filesystem::path, std::shared_ptr<const Mesh>>;
+/// A model by its absolute path and what is left out of it.
+struct MeshKey {
+    std::filesystem::path file;
+    NamePatterns without;
+
+    bool operator<(const MeshKey& other) const {
+        return std::tie(file, without) < std::tie(other.file, other.without);
+    }
+};
+
+/// Receivers of the same model share one mesh.
+using MeshCache = std::map<MeshKey, std::shared_ptr<const Mesh>>;
 
 /// Turns the table of a scene file into a checked scene. `file` is named in errors, relative paths start at
 /// its folder. Throws InputError.

@@ -250,6 +250,17 @@ void TomlTable::text(std::string_view key, std::string& value, std::string_view 
     value = node->as_string()->get();
 }
 
+void TomlTable::texts(std::string_view key, std::vector<std::string>& values, std::string_view expected) {
+    const toml::node* node = find(key);
+    if (!node) return;
+    if (!node->is_array()) fail(key, std::string(expected));
+    values.clear();
+    for (const toml::node& entry : *node->as_array()) {
+        if (!entry.is_string()) fail(key, std::string(expected));
+        values.push_back(entry.as_string()->get());
+    }
+}
+
 void TomlTable::flag(std::string_view key, bool& value) {
     const toml::node* node = find(key);
     if (!node) return;

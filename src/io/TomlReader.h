@@ -96,6 +96,9 @@ class TomlTable {
     /// An array of tables; their paths end in the entry's name where it has one, else in its number.
     std::vector<TomlTable> tables(std::string_view key, std::size_t limit);
 
+    /// A list of texts.
+    void texts(std::string_view key, std::vector<std::string>& values, std::string_view expected);
+
     void flag(std::string_view key, bool& value);
 
     /// Throws InputError for the first key that was never asked for. `kind` completes "unknown key".

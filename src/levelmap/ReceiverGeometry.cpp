@@ -13,8 +13,15 @@ struct Vertex {
     glm::vec2 uv, normalUv;
     glm::u16vec4 color; // linear: eight bits would show steps in the dark
 };
-enum MaterialUniform { BaseColorFactor = 16, AlphaCutoff = 17, NormalScale = 18, Transmission, Blended };
-constexpr GLuint baseColorUnit = 0, normalMapUnit = 4, transmissionUnit = 5;
+enum MaterialUniform {
+    BaseColorFactor = 16,
+    AlphaCutoff,
+    NormalScale,
+    Transmission,
+    Blended,
+    EmissionFactor
+};
+constexpr GLuint baseColorUnit = 0, normalMapUnit = 4, transmissionUnit = 5, emissionUnit = 8;
 
 bool isSheer(const Material& material) {
     return material.alphaMode == AlphaMode::Blend || material.transmission > 0;
@@ -130,6 +137,10 @@ void ReceiverGeometry::drawPart(std::size_t index, const gl::Program& program, G
     program.set(NormalScale, material.normalImage >= 0 ? material.normalScale : 0.0f);
     bindTexture(material.baseColorImage >= 0 ? _images[std::size_t(material.baseColorImage)] : _white,
                 baseColorUnit, material.baseColorWrapS, material.baseColorWrapT, material.baseColorNearest);
+    program.set(EmissionFactor, material.emission);
+    bindTexture(material.emissionImage >= 0 ? _images[std::size_t(material.emissionImage)] : _white,
+                emissionUnit, material.emissionWrapS, material.emissionWrapT,
+                material.emissionImage == material.baseColorImage && material.baseColorNearest);
     if (material.normalImage >= 0)
         bindTexture(_images[std::size_t(material.normalImage)], normalMapUnit, material.normalWrapS,
                     material.normalWrapT);

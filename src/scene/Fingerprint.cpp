@@ -24,6 +24,24 @@ void addWater(Hash& hash, const Water& water) {
         addWave(hash, wave);
 }
 
+void addImage(Hash& hash, const Mesh& mesh, int image) {
+    if (image >= 0) hash.list(mesh.images[std::size_t(image)].rgba);
+}
+
+/// As far as it lets light through.
+void addMaterial(Hash& hash, const Mesh& mesh, const Material& material) {
+    if (!isTranslucent(material)) return;
+    hash(material.alphaCutoff, material.baseColor.a, int(material.baseColorWrapS),
+         int(material.baseColorWrapT));
+    hash.list(mesh.uvs);
+    hash.list(mesh.colors);
+    addImage(hash, mesh, material.baseColorImage);
+    if (material.transmission == 0) return;
+    hash(material.transmission, material.baseColor, int(material.transmissionWrapS),
+         int(material.transmissionWrapT));
+    addImage(hash, mesh, material.transmissionImage);
+}
+
 void addReceiver(Hash& hash, const Receiver& receiver) {
     const glm::dquat& r = receiver.rotation;
     hash.add(receiver.name.data(), receiver.name.size());
@@ -34,12 +52,7 @@ void addReceiver(Hash& hash, const Receiver& receiver) {
     for (const MeshPart& part : mesh.parts) {
         const Material& material = mesh.materials[std::size_t(part.material)];
         hash(part.firstIndex, part.indexCount, int(material.alphaMode), material.doubleSided);
-        if (material.alphaMode == AlphaMode::Opaque) continue;
-        hash(material.alphaCutoff, material.baseColor.a, int(material.baseColorWrapS),
-             int(material.baseColorWrapT));
-        hash.list(mesh.uvs);
-        hash.list(mesh.colors);
-        if (material.baseColorImage >= 0) hash.list(mesh.images[std::size_t(material.baseColorImage)].rgba);
+        addMaterial(hash, mesh, material);
     }
 }
 
@@ -48,6 +61,14 @@ void addLight(Hash& hash, const Light& light) {
     hash(int(light.type), light.direction, light.irradiance, light.angularDiameter, light.position,
          light.intensity);
     if (light.isSpot()) hash(light.innerCone, light.outerCone);
+}
+
+void addLooks(Hash& hash, const Material& m) {
+    hash(m.baseColor, m.baseColorImage, int(m.baseColorWrapS), int(m.baseColorWrapT), m.baseColorNearest,
+         int(m.alphaMode), m.alphaCutoff, m.normalImage, m.normalScale, int(m.normalWrapS),
+         int(m.normalWrapT));
+    hash(m.transmission, m.transmissionImage, int(m.transmissionWrapS), int(m.transmissionWrapT), m.emission,
+         m.emissionImage, int(m.emissionWrapS), int(m.emissionWrapT));
 }
 
 } // namespace
@@ -59,6 +80,25 @@ std::uint64_t lightFingerprint(const Scene& scene) {
         addLight(hash, light);
     for (const Receiver& receiver : scene.receivers)
         addReceiver(hash, receiver);
+    return hash.value();
+}
+
+std::uint64_t looksFingerprint(const Scene& scene) {
+    Hash hash;
+    for (const Receiver& receiver : scene.receivers) {
+        const Mesh& mesh = *receiver.mesh;
+        hash.list(mesh.normals);
+        hash.list(mesh.uvs);
+        hash.list(mesh.normalUvs);
+        hash.list(mesh.colors);
+        hash.list(mesh.parts);
+        for (const Material& material : mesh.materials)
+            addLooks(hash, material);
+        for (const Image& image : mesh.images) {
+            hash(image.width, image.height, image.srgb);
+            hash.list(image.rgba);
+        }
+    }
     return hash.value();
 }
 

@@ -37,4 +37,7 @@ class Hash {
 /// not with colours, camera or settings of a method. The same on every machine of one byte order.
 std::uint64_t lightFingerprint(const Scene& scene);
 
+/// A number that changes with the looks of the receivers: normals, colours, materials and pictures.
+std::uint64_t looksFingerprint(const Scene& scene);
+
 } // namespace limpid

@@ -38,6 +38,8 @@ class HeightSource {
     virtual std::shared_ptr<const HeightField> frame(int index) = 0;
     /// Of the first frame; later ones are taken to be alike.
     virtual const HeightBounds& bounds() const = 0;
+    /// Least difference of two heights as the first frame's file stores them; 0 for floating point.
+    virtual double step() const { return 0; }
 };
 
 } // namespace limpid

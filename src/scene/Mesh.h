@@ -43,6 +43,7 @@ struct Material {
     int emissionImage = -1; ///< colours times `emission`, on the mesh's uvs; -1 for none
     Wrap emissionWrapS = Wrap::Repeat;
     Wrap emissionWrapT = Wrap::Repeat;
+    std::string name{}; ///< in the file; may be empty
 };
 
 /// Whether light may pass a material's faces: through cut-outs' holes, or all of what is blended or
@@ -68,6 +69,13 @@ struct MeshPart {
     int material = 0;             ///< index into Mesh::materials
 };
 
+/// A node of the file that a mesh was read from.
+struct MeshNode {
+    std::string name, meshName;    ///< of the node, and of the mesh that it shows; may be empty
+    std::uint32_t firstVertex = 0; ///< its vertices, which triangles of no other node use
+    std::uint32_t vertexCount = 0;
+};
+
 /// Triangles in the receiver's own space, metres, Y up, right-handed.
 /// `normals` (unit, shading) and `uvs` have the length of `positions`; `normalUvs` and `colors` too, or they
 /// are empty.
@@ -82,6 +90,8 @@ struct Mesh {
     std::vector<MeshPart> parts;
     std::vector<Material> materials;
     std::vector<Image> images;
+    std::vector<MeshNode> nodes;      ///< in the order of their vertices; empty for shapes
+    std::vector<std::string> notices; ///< file, place, and why it is not used: one line each
 
     std::size_t triangleCount() const { return indices.size() / 3; }
 };

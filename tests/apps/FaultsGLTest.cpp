@@ -109,7 +109,7 @@ TEST_F(FaultsGLTest, aPlaceThatTakesNoFiles) {
     fs::create_directories(path("a.png"));
     expectOneLine(run("bake " + box + " -o " + path("maps") + quick), 2, "it is a folder");
     expectOneLine(run("render " + box + " -o " + path("a.png") + " --size 16x9" + quick), 2,
-                  "it is a folder");
+                  "expected a file to write to, found a folder");
     EXPECT_EQ(entries(folder.path()), 3u) << "just what was there";
 }
 

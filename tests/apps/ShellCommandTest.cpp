@@ -39,6 +39,7 @@ TEST(ShellCommand, bashCompletesCommandsOptionsAndMethods) {
     EXPECT_EQ(completions("limpid render --godrays photon", 3), "photon-lines\n");
     EXPECT_EQ(completions("limpid render --set water.le", 3), "water.level=\n");
     EXPECT_EQ(completions("limpid render --set light.0.dir", 3), "light.0.direction=\n");
+    EXPECT_EQ(completions("limpid render --set receiver.0.with", 3), "receiver.0.without=\n");
     EXPECT_EQ(completions("limpid render --godrays exa", 3), "exact-shafts\n");
     EXPECT_EQ(completions("limpid render --godrays tet", 3), "tetrahedra\n");
 }

@@ -1,4 +1,5 @@
-// Any bytes as a .glb or .gltf file: they load as a model that holds together, or are an InputError of one line.
+// Any bytes as a .glb or .gltf file: they load as a model that holds together, or are an InputError of one
+// line.
 #include <cmath>
 
 #include "FuzzFile.h"
@@ -27,6 +28,22 @@ void checkModel(const Model& model) {
     for (const MeshPart& part : mesh.parts)
         fuzz::require(part.firstIndex + std::size_t(part.indexCount) <= mesh.indices.size() &&
                       part.material < int(mesh.materials.size()));
+    for (const Material& material : mesh.materials) {
+        fuzz::require(material.transmission >= 0 && material.transmission <= 1);
+        for (int c = 0; c < 3; ++c)
+            fuzz::require(material.emission[c] >= 0 && std::isfinite(material.emission[c]));
+        for (const int image : {material.baseColorImage, material.normalImage, material.transmissionImage,
+                                material.emissionImage})
+            fuzz::require(image < int(mesh.images.size()));
+    }
+    std::size_t vertex = 0;
+    for (const MeshNode& node : mesh.nodes) {
+        fuzz::require(node.firstVertex == vertex);
+        vertex += node.vertexCount;
+    }
+    fuzz::require(vertex == vertices);
+    for (const std::string& notice : mesh.notices)
+        fuzz::requireOneLine(notice);
 }
 
 } // namespace

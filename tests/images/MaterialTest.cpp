@@ -139,5 +139,35 @@ TEST_F(MaterialTest, aNormalMapLiesWhereItsOwnCoordinatesSay) {
     EXPECT_NEAR(lit(0.75), std::sqrt(0.5), 0.01);
 }
 
+TEST_F(MaterialTest, aGlowAddsItsRadianceAndLightsNothing) {
+    Receiver lamp = sheet("lamp", red, 1, -0.5, AlphaMode::Opaque);
+    Mesh mesh = *lamp.mesh;
+    mesh.materials[0].emission = {3, 0.5f, 0};
+    mesh.images = {Image{1, 1, {255, 255, 0, 255}}};
+    mesh.materials[0].emissionImage = 0;
+    mesh.materials[0].emissionWrapS = Wrap::Clamp;
+    lamp.mesh = std::make_shared<const Mesh>(mesh);
+    const Scene scene = over({lamp}, -3);
+    expectMiddle(scene, red + glm::dvec3(3, 0.5, 0));
+    const Picture picture = render(scene, {16, 12});
+    for (int c = 0; c < 3; ++c)
+        EXPECT_NEAR(at(picture, 1, 1)[c], white[c], 1e-5) << "beside it, channel " << c;
+}
+
+TEST_F(MaterialTest, aGlowUnderWaterIsDimmedOnItsWay) {
+    Receiver lamp = sheet("lamp", glm::dvec3(0), 1, -0.5, AlphaMode::Opaque);
+    Mesh mesh = *lamp.mesh;
+    mesh.materials[0].emission = glm::vec3(2);
+    lamp.mesh = std::make_shared<const Mesh>(mesh);
+    Scene scene = over({lamp}, 0);
+    scene.ambientRadiance = glm::dvec3(0);
+    scene.water.absorption = {0.5, 1, 2};
+    const double out = optics::fresnelTransmittance(1.0, 1 / 1.333) / (1.333 * 1.333);
+    const Picture picture = render(scene, {16, 12});
+    for (int c = 0; c < 3; ++c)
+        EXPECT_NEAR(at(picture, 8, 6)[c] / (2 * out * std::exp(-0.5 * scene.water.absorption[c])), 1, 0.005)
+            << "Fresnel over a pixel's width, channel " << c;
+}
+
 } // namespace
 } // namespace limpid

@@ -23,7 +23,7 @@ Scene alone(const Mesh& mesh, const Camera* camera = nullptr) {
     const auto file = folder.write("model.glb", "the mesh is in the cache");
     Model model{mesh, {}, {}};
     if (camera) model.cameras.push_back(*camera);
-    MeshCache meshes{{std::filesystem::weakly_canonical(file), std::make_shared<const Mesh>(mesh)}};
+    MeshCache meshes{{{std::filesystem::weakly_canonical(file), {}}, std::make_shared<const Mesh>(mesh)}};
     return parseScene(defaultScene(file, model), file, meshes);
 }
 

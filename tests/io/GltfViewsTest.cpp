@@ -206,5 +206,19 @@ TEST(ModelAloneTest, TakesItsOwnCameraIfThatSeesTheModel) {
     }
 }
 
+TEST(ModelAloneTest, TellsWhichLightsAndCamerasAreNotUsed) {
+    SmallGltf gltf = triangleGltf();
+    addLight(gltf, {{"type", "point"}, {"name", "Lamp"}}, {{"translation", {0, 50, 0}}});
+    addCamera(gltf, 0.8, {{"translation", {0.5, 0.5, 3}}});
+    EXPECT_TRUE(loadAlone(gltf).receivers[0].mesh->notices.empty());
+    addLight(gltf, {{"type", "point"}, {"name", "Deep"}}, {{"translation", {0, 0.1, 0}}});
+    addCamera(gltf, 0.8, {{"translation", {0.5, 0.5, 4}}});
+    const auto notices = loadAlone(gltf).receivers[0].mesh->notices;
+    ASSERT_EQ(notices.size(), 2u);
+    EXPECT_TRUE(
+        notices[0].ends_with("model.gltf: lights: not used: \"Deep\" (it does not get into the water)"));
+    EXPECT_TRUE(notices[1].ends_with("cameras: not used: one without a name (the first one is used)"));
+}
+
 } // namespace
 } // namespace limpid::io

@@ -199,5 +199,13 @@ TEST_F(HeightImagesTest, sceneErrorsNameTheKey) {
     EXPECT_EQ(sceneError(five), "scene.toml:3:1: water.wave: expected at most 4 height maps and spectra, found 5");
 }
 
+TEST_F(HeightImagesTest, stepsAreThoseOfTheFile) {
+    const std::vector<std::uint8_t> bytes(8 * 8 * 3, 128);
+    writePng(folder.path() / "h.png", 8, 8, bytes);
+    EXPECT_NEAR(openHeightImages(folder.path() / "h.png", glm::dvec2(0))->step(), 2.0 / 255, 1e-12);
+    writeExr(folder.path() / "h.exr", 8, 8, {"Y"}, std::vector<float>(64));
+    EXPECT_EQ(openHeightImages(folder.path() / "h.exr", glm::dvec2(0))->step(), 0);
+}
+
 } // namespace
 } // namespace limpid::io

@@ -67,13 +67,11 @@ TEST(WriteTest, LeavesNothingBehindWhenItFails) {
     const std::vector<float> data(1);
     std::filesystem::create_directory(folder.path() / "folder.exr");
     EXPECT_EQ(errorOf(folder, [&] { writeExr(folder.path() / "folder.exr", 1, 1, {"R"}, data); }),
-              "folder.exr: cannot write: it is a folder");
+              "folder.exr: expected a file to write to, found a folder");
     EXPECT_THAT(errorOf(folder, [&] { writeExr(folder.path() / "no/map.exr", 1, 1, {"R"}, data); }),
-                StartsWith("no/map.exr: cannot write: "));
-    EXPECT_THAT(errorOf(folder, [&] { writeExr(folder.path() / "map.what", 1, 1, {"R"}, data); }),
-                StartsWith("map.what: cannot write: "));
-    EXPECT_EQ(errorOf(folder, [&] { writeText(folder.path() / "no/index.json", "{}"); }),
-              "no/index.json: cannot write: No such file or directory");
+                StartsWith("no/map.exr: expected a folder to write to, found none named "));
+    EXPECT_THAT(errorOf(folder, [&] { writeText(folder.path() / "no/index.json", "{}"); }),
+                StartsWith("no/index.json: expected a folder to write to, found none named "));
     EXPECT_EQ(fileCount(folder), 1u);
 }
 
@@ -100,6 +98,41 @@ TEST(WriteTest, ThePartialFileLiesBesideUnderTheSameName) {
     });
     EXPECT_TRUE(std::filesystem::exists(folder.path() / "a.b.exr"));
     EXPECT_EQ(fileCount(folder), 1u);
+}
+
+TEST(WriteTest, NamesInCapitalsAreOfTheSameFormats) {
+    const TempFolder folder;
+    writePng(folder.path() / "OUT.PNG", 2, 1, std::vector<std::uint8_t>{1, 2, 3, 4, 5, 6});
+    writeExr(folder.path() / "OUT.EXR", 2, 1, {"R"}, std::vector<float>{1, 2});
+    EXPECT_FALSE(readImage(folder.path() / "OUT.PNG").floatingPoint);
+    EXPECT_TRUE(readImage(folder.path() / "OUT.EXR").floatingPoint);
+}
+
+TEST(StampTest, ComesBackFromBothFormats) {
+    const TempFolder folder;
+    const std::vector<std::uint8_t> rgb{1, 2, 3, 4, 5, 6};
+    writePng(folder.path() / "a.png", 2, 1, rgb, "0123456789abcdef");
+    writeExr(folder.path() / "a.exr", 2, 1, {"R"}, std::vector<float>{1, 2}, "fedcba9876543210");
+    writePng(folder.path() / "none.png", 2, 1, rgb);
+    folder.write("broken.png", "no picture");
+    const auto png = readStamp(folder.path() / "a.png"), exr = readStamp(folder.path() / "a.exr");
+    ASSERT_TRUE(png && exr);
+    EXPECT_EQ(png->width, 2);
+    EXPECT_EQ(png->height, 1);
+    EXPECT_EQ(png->fingerprint, "0123456789abcdef");
+    EXPECT_EQ(exr->fingerprint, "fedcba9876543210");
+    EXPECT_EQ(readStamp(folder.path() / "none.png")->fingerprint, "");
+    for (const char* name : {"broken.png", "missing.png", "."})
+        EXPECT_FALSE(readStamp(folder.path() / name)) << name;
+}
+
+TEST(HashHintTest, NamesThePatternThatIsMeant) {
+    EXPECT_EQ(hashHint("f.####.png"), " (#### is written %04d)");
+    EXPECT_EQ(hashHint("f#.png"), " (# is written %d)");
+    EXPECT_EQ(hashHint("f%04d.png"), "");
+    const TempFolder folder;
+    EXPECT_EQ(errorOf(folder, [&] { requireFile(folder.path() / "h.###.exr"); }),
+              "h.###.exr: expected a file, found nothing of that name (### is written %03d)");
 }
 
 TEST(TextTest, ComesBack) {

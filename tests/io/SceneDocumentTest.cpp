@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "io/SceneSettings.h"
+#include "io/SmallGltf.h"
 #include "io/TempFolder.h"
 #include "io/WaterBodies.h"
 #include "io/WaterPresets.h"
@@ -281,6 +282,20 @@ TEST(SceneDocument, aModelAloneBecomesAScene) {
     expectSame(read, changed);
     EXPECT_EQ(read.receivers[0].mesh->positions, changed.receivers[0].mesh->positions);
     EXPECT_EQ(read.receivers[0].name, changed.receivers[0].name);
+}
+
+TEST(SceneDocument, whatIsLeftOutOfAModelStaysOut) {
+    const TempFolder folder;
+    test::SmallGltf gltf = test::triangleGltf();
+    gltf.addMesh({{"attributes", {{"POSITION", 0}}}});
+    gltf.json["nodes"][1]["name"] = "Wat\"er*";
+    const SceneDocument document(folder.write("pool.glb", gltf.glb()), {leavingOut({R"(Wat"er\*)"})});
+    EXPECT_EQ(document.scene().receivers[0].mesh->triangleCount(), 1u);
+    Scene changed = document.scene();
+    changed.receivers[0].translation.y = 1;
+    const Scene read = again(document, changed, folder);
+    EXPECT_EQ(read.receivers[0].mesh->triangleCount(), 1u);
+    EXPECT_EQ(read.receivers[0].translation.y, 1);
 }
 
 TEST(SceneDocument, filesAreFoundFromElsewhere) {

@@ -43,6 +43,17 @@ TEST(LightFingerprint, changesWithWhateverLightDependsOn) {
             mesh.materials[0].alphaMode = AlphaMode::Mask;
             s.receivers[0].mesh = std::make_shared<const Mesh>(mesh);
         },
+        [](Scene& s) {
+            Mesh mesh = *s.receivers[0].mesh;
+            mesh.materials[0].transmission = 0.5f;
+            s.receivers[0].mesh = std::make_shared<const Mesh>(mesh);
+        },
+        [](Scene& s) {
+            Mesh mesh = *s.receivers[0].mesh;
+            mesh.materials[0].transmission = 0.5f;
+            mesh.materials[0].baseColor.x = 0.5f;
+            s.receivers[0].mesh = std::make_shared<const Mesh>(mesh);
+        },
     };
     std::set<std::uint64_t> prints;
     for (const auto& change : changes) {
@@ -59,6 +70,32 @@ TEST(LightFingerprint, doesNotCareForTheMethodOrTheCamera) {
     scene.camera.exposure = 2;
     scene.water.grid = {8, 8};
     EXPECT_EQ(lightFingerprint(scene), before);
+}
+
+TEST(LooksFingerprint, changesWithWhateverSurfacesLookLike) {
+    const std::function<void(Mesh&)> changes[] = {
+        [](Mesh&) {},
+        [](Mesh& m) { m.materials[0].baseColor.y = 0.1f; },
+        [](Mesh& m) { m.materials[0].emission.z = 1; },
+        [](Mesh& m) { m.materials[0].normalScale = 0.5f; },
+        [](Mesh& m) { m.normals[0].x = 0.1f; },
+        [](Mesh& m) { m.uvs[0].x += 1; },
+        [](Mesh& m) { m.colors.resize(m.positions.size()); },
+        [](Mesh& m) {
+            m.images = {Image{1, 1, {1, 2, 3, 4}}};
+        },
+        [](Mesh& m) {
+            m.images = {Image{1, 1, {1, 2, 3, 5}}};
+        },
+    };
+    std::set<std::uint64_t> prints;
+    for (const auto& change : changes) {
+        Scene scene = floorScene();
+        Mesh mesh = *scene.receivers[0].mesh;
+        change(mesh);
+        scene.receivers[0].mesh = std::make_shared<const Mesh>(mesh);
+        EXPECT_TRUE(prints.insert(looksFingerprint(scene)).second) << prints.size();
+    }
 }
 
 } // namespace

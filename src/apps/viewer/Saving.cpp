@@ -27,11 +27,11 @@ void writeDisplay(const Display& display, const fs::path& file) {
 } // namespace
 
 std::string proposedScene(const fs::path& file) {
-    return file.extension() == ".toml" ? file.string() : file.stem().string() + ".toml";
+    return io::lowerCaseSuffix(file) == ".toml" ? file.string() : file.stem().string() + ".toml";
 }
 
 void saveScene(const io::SceneDocument& document, const Scene& scene, const fs::path& file) {
-    if (file.extension() != ".toml")
+    if (io::lowerCaseSuffix(file) != ".toml")
         throw InputError(fmt::format("{}: expected a name that ends in .toml", file.string()));
     const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
     io::writeText(file, document.textOf(scene, folder));

@@ -1,0 +1,26 @@
+#include "io/NamePatterns.h"
+
+#include <algorithm>
+
+#include <fnmatch.h>
+
+#include "io/TomlReader.h"
+
+namespace limpid::io {
+
+bool NamePatterns::match(const std::string& name) const {
+    return !name.empty() && std::any_of(_patterns.begin(), _patterns.end(), [&](const std::string& pattern) {
+        return ::fnmatch(pattern.c_str(), name.c_str(), 0) == 0;
+    });
+}
+
+NamePatterns parseWithout(TomlTable& receiver) {
+    constexpr std::string_view expected = "a list of names or patterns, such as [\"Water*\"]";
+    std::vector<std::string> patterns;
+    receiver.texts("without", patterns, expected);
+    for (const std::string& pattern : patterns)
+        if (pattern.empty()) receiver.fail("without", std::string(expected));
+    return NamePatterns(std::move(patterns));
+}
+
+} // namespace limpid::io
