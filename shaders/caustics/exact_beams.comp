@@ -55,7 +55,7 @@ Pencil pencilTo(Quad quad, Leant leant, float upright) {
                     mat4x3(rayEnd(leant.p, upright), rayEnd(leant.q, upright), rayEnd(leant.r, upright), rayEnd(leant.s, upright)), vec3(0.0));
 }
 
-const float mostLean = 3.0; // depth along the map
+const float mostLean = 8.0; // depth along the map
 
 const int arrives = 0, taken = 1, unsure = 2;
 

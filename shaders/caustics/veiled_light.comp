@@ -1,7 +1,9 @@
 // For methods that shade by the mean light: what the sheets before a texel leave of it. What is opaque is the scene depth
 // map's business.
 // In: position map, tangent by the normal map, occluders. In and out, RGBA16: the share of a texel's light that counts.
-// Compiled with VEILS.
+#ifndef VEILS
+#define VEILS
+#endif
 #include "include/light.glsl"
 #include "include/occluders.glsl"
 #include "include/octahedral.glsl"

@@ -80,11 +80,14 @@ struct Rays {
     vec2 shift;
 };
 
-Rays raysOf(BeamPart part, vec2 shift) {
+// Of light along a face some rays may come from behind it: those are none of its light, and what takes them is no shade.
+Rays raysOf(BeamPart part, vec2 shift, Target target) {
+    vec3 outward = target.rise.x * boxU.xyz + target.rise.y * boxW.xyz - boxT.xyz;
     Rays rays = Rays(0u, 0u, 0u, shift);
     for (int i = 0; i < spreadRays; ++i) {
         vec3 from, to;
         int beam = rayOf(part, shift, i, from, to);
+        if (dot(outward, to - from) >= 0.0) continue;
         if (beam == 1) rays.upper |= 1u << i;
         if (beam == 2) rays.lower |= 1u << i;
     }
@@ -156,7 +159,7 @@ vec3 passingShare(BeamPart part, int quad, Target target) {
     int node = 0;
     findTriangles(node, pencilOf(part.starts, ends, vec3(0.0)), target, mostNodes);
     if (foundCount == 0 && sawAll(node)) return vec3(1.0);
-    Rays rays = raysOf(part, shiftOf(quad, part.texel));
+    Rays rays = raysOf(part, shiftOf(quad, part.texel), target);
 #ifdef VEILS
     for (int i = 0; i <= middleRay; ++i) passing[i] = vec3(1.0);
 #endif

@@ -21,7 +21,9 @@ layout(location = 5) uniform int receiverNumber;
 vec3 arriving(Quad quad, int index, Sheet sheet, vec2 low, vec2 high, vec4 plane, ivec2 texel, vec3 from) {
     vec3 share = vec3(testSurfaceShadow != 0 ? surfaceVisibility(from, 0.0) : 1.0);
     if (testOcclusion == 0 || share == vec3(0.0)) return share;
-    vec2 rise = texelFetch(tangentPlanes, texel, 0).yz / boxExtent.w;
+    // Where the cut is across the box's axis, rays still end on the surface itself.
+    vec2 leaning = texelFetch(tangentPlanes, texel, 0).yz, rise = leaning / boxExtent.w;
+    if (plane.yz == vec2(0.0)) plane.yz = leaning * min(1.0, steepestSlope / max(length(rise), 1e-6));
     return share * passingShare(BeamPart(sheet, low, high, plane, texel, rayStarts(quad)), index, targetOf(receiverNumber, rise, vec3(0.0)));
 }
 #endif

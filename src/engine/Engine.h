@@ -199,6 +199,7 @@ class Engine {
     bool hasFurtherMaps(int light) const;
     bool needsSceneDepth(int light) const;
     bool needsOccluders(int light) const;
+    bool needsOccluders() const;
 
     gl::Context& _context;
     gl::PassTimers _timers;

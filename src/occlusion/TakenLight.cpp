@@ -1,7 +1,6 @@
 #include "occlusion/TakenLight.h"
 
 #include <array>
-#include <string>
 
 namespace limpid {
 
@@ -12,7 +11,7 @@ constexpr glm::ivec2 groupSize{8, 8};
 
 TakenLight::TakenLight(gl::Context& context)
     : _context(context), _opacity({"levelmap/level_map.vert", "levelmap/face.geom", "levelmap/opacity.frag"}),
-      _shade({"caustics/veiled_light.comp"}, std::array<std::string, 1>{"VEILS"}),
+      _shade({"caustics/veiled_light.comp"}),
       _apply({"caustics/take.comp"}) {}
 
 gl::Texture TakenLight::opacity(const LevelMap& map, const LitReceiver& receiver) {

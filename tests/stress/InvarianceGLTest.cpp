@@ -156,7 +156,8 @@ RC_GTEST_FIXTURE_PROP(InvarianceGLTest, aFloorInTwo, ()) {
 
 // Turned by half, the water's grid comes to lie on itself, diagonals and all. 1e-4: what rounding leaves,
 // which may put a texel's middle on the other side of a rim: of the ball's 150 or so on its rim, one is 1e-4
-// of all light.
+// of all light. As much again and more for edges of shade: their 16 rays a part of a beam go by the numbers of
+// quad and texel, which are others then, and the largest of 10 scenes was 1.1e-4.
 RC_GTEST_FIXTURE_PROP(InvarianceGLTest, turnedByHalf, ()) {
     const Scene scene = anyScene();
     Scene turned = scene;
@@ -169,7 +170,7 @@ RC_GTEST_FIXTURE_PROP(InvarianceGLTest, turnedByHalf, ()) {
         receiver.rotation = glm::dquat(0, 0, 1, 0);
     }
     const double one = deposited(bake(scene)), other = deposited(bake(turned));
-    RC_ASSERT(std::abs(one - other) <= 1e-4 * one);
+    RC_ASSERT(std::abs(one - other) <= 3e-4 * one);
 }
 
 // Under flat water every beam is exact, however wide.
