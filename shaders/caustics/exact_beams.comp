@@ -71,7 +71,11 @@ int fateOf(Quad quad, int index, Leant leant, Slab slab, vec2 depths) {
     ivec2 span = slab.high - slab.low + 1;
     float leans = mostLean * float(max(span.x, span.y)) * boxExtent.w;
     Target target = targetOf(receiverNumber, boxShear.xy, min(depths.y - depths.x, leans) * boxT.xyz);
-    return mayBeTaken(pencilTo(quad, leant, depths.y), target) ? unsure : arrives;
+    Pencil pencil = pencilTo(quad, leant, depths.y);
+    // Where a trough dips below the receiver, light does not come up to it.
+    float above = leastOf(facingLight.xyz * pencil.to) - (depths.y - depths.x);
+    if (above <= greatestOf(facingLight.xyz * pencil.from)) return unsure;
+    return mayBeTaken(pencil, target) ? unsure : arrives;
 }
 #endif
 

@@ -80,7 +80,10 @@ struct Rays {
     vec2 shift;
 };
 
-// Of light along a face some rays may come from behind it: those are none of its light, and what takes them is no shade.
+bool goesDown(vec3 from, vec3 to) { return dot(facingLight.xyz, to - from) > 0.0; }
+
+// Of light along a face some rays may come from behind it: those are none of its light, and what takes them is no shade. Where
+// a trough dips below a receiver, no ray comes up to it.
 Rays raysOf(BeamPart part, vec2 shift, Target target) {
     vec3 outward = target.rise.x * boxU.xyz + target.rise.y * boxW.xyz - boxT.xyz;
     Rays rays = Rays(0u, 0u, 0u, shift);
@@ -90,9 +93,15 @@ Rays raysOf(BeamPart part, vec2 shift, Target target) {
         if (dot(outward, to - from) >= 0.0) continue;
         if (beam == 1) rays.upper |= 1u << i;
         if (beam == 2) rays.lower |= 1u << i;
+        if (goesDown(from, to)) rays.lit |= 1u << i;
     }
-    if ((rays.upper | rays.lower) == 0u) rays.upper = 1u << middleRay;
-    rays.lit = rays.upper | rays.lower;
+    vec3 from, to;
+    if ((rays.upper | rays.lower) == 0u) {
+        rayOf(part, shift, middleRay, from, to);
+        rays.upper = 1u << middleRay;
+        rays.lit = goesDown(from, to) ? rays.upper : 0u;
+    }
+    rays.lit &= rays.upper | rays.lower;
     return rays;
 }
 
@@ -158,7 +167,8 @@ vec3 passingShare(BeamPart part, int quad, Target target) {
                          surfaceAt(part, vec2(part.low.x, part.high.y)));
     int node = 0;
     findTriangles(node, pencilOf(part.starts, ends, vec3(0.0)), target, mostNodes);
-    if (foundCount == 0 && sawAll(node)) return vec3(1.0);
+    bool below = leastOf(facingLight.xyz * ends) > greatestOf(facingLight.xyz * part.starts);
+    if (foundCount == 0 && sawAll(node) && below) return vec3(1.0);
     Rays rays = raysOf(part, shiftOf(quad, part.texel), target);
 #ifdef VEILS
     for (int i = 0; i <= middleRay; ++i) passing[i] = vec3(1.0);
