@@ -1,7 +1,8 @@
 #include "caustics/FluxSums.h"
 
 #include <algorithm>
-#include <numbers>
+
+#include "core/Tau.h"
 
 namespace limpid {
 
@@ -14,7 +15,7 @@ double patchFlux(const LevelMap& map, const Light& light, const WaterPatch& patc
     if (light.type == LightType::Directional)
         return area * std::max(-glm::normalize(light.direction).y, 1e-6);
     const glm::dvec3 away = map.frame.box.center() - light.position;
-    return std::min(2 * std::numbers::pi, area / std::max(glm::dot(away, away), 1e-12));
+    return std::min(tau, area / std::max(glm::dot(away, away), 1e-12));
 }
 } // namespace
 

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <fmt/format.h>
 
+#include "core/Tau.h"
 #include "engine/ModelWarnings.h"
 #include "water/WaveTerms.h"
 
@@ -16,14 +16,14 @@ namespace {
 /// Metres of the shortest wave in a term; of a height map, the cosine that is as high and as steep.
 double shortest(const Wave& wave) {
     if (wave.type == WaveType::HeightMap)
-        return 2 * std::numbers::pi * highestWave(wave) / std::max(steepestSlope(wave), 1e-12);
+        return tau * highestWave(wave) / std::max(steepestSlope(wave), 1e-12);
     if (wave.type == WaveType::Phillips) return wave.spectrum->shortest;
     return wave.type == WaveType::Noise ? wave.wavelength / std::exp2(wave.octaves - 1) : wave.wavelength;
 }
 
 /// Metres of the waves that a term mostly is of.
 double longest(const Wave& wave) {
-    if (wave.type == WaveType::Phillips) return 2 * std::numbers::pi / wave.spectrum->rmsSlope;
+    if (wave.type == WaveType::Phillips) return tau / wave.spectrum->rmsSlope;
     return wave.type == WaveType::HeightMap ? shortest(wave) : wave.wavelength;
 }
 

@@ -118,8 +118,12 @@ class Framebuffer {
     Framebuffer() = default;
     Framebuffer(std::string label, std::span<const Texture* const> colors, const Texture* depth = nullptr,
                 int layer = 0);
+    /// What was drawn is there for compute programs after this: software OpenGL runs them while triangles
+    /// are still being filled, unless a barrier stands between, which the specification does not ask for.
     ~Framebuffer() {
-        if (_id) glDeleteFramebuffers(1, &_id);
+        if (!_id) return;
+        glDeleteFramebuffers(1, &_id);
+        glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
     }
     Framebuffer(Framebuffer&& other) noexcept : _id(std::exchange(other._id, 0)), _size(other._size) {}
     Framebuffer& operator=(Framebuffer&& other) noexcept {

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <set>
 #include <string>
 
 #include <fmt/format.h>
 
+#include "core/Tau.h"
 #include "io/Files.h"
 #include "io/SceneParser.h"
 #include "scene/Basin.h"
@@ -84,7 +84,7 @@ toml::array array(const glm::dvec2& v) {
 
 /// Of a gravity wave on deep water, m/s.
 double waveSpeed(double wavelength) {
-    return std::sqrt(9.81 * wavelength / (2 * std::numbers::pi));
+    return std::sqrt(9.81 * wavelength / tau);
 }
 
 toml::array waves(const WaterBody& water) {

@@ -1,9 +1,10 @@
 #include "io/WaterPresets.h"
 
 #include <cmath>
-#include <numbers>
 #include <random>
 #include <span>
+
+#include "core/Tau.h"
 
 namespace limpid::io {
 
@@ -56,7 +57,7 @@ constexpr Noise strongNoise{0.50, 0.0200, 2, 5};
 double waveSpeed(double wavelength) {
     constexpr double gravity = 9.81;    // m/s²
     constexpr double tension = 7.28e-5; // m³/s²: 0.0728 N/m at 20 °C over 1000 kg/m³
-    const double k = 2 * std::numbers::pi / wavelength;
+    const double k = tau / wavelength;
     return std::sqrt(gravity / k + tension * k);
 }
 

@@ -2,16 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "core/Optics.h"
+#include "core/Tau.h"
 #include "reference/SplinePieces.h"
 
 namespace limpid::reference {
 
 namespace {
-
-constexpr double tau = 2 * std::numbers::pi;
 
 /// Perlin's fade curve and its derivative (2002).
 double fade(double f) {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <complex>
-#include <numbers>
 
+#include "core/Tau.h"
 #include "reference/SplinePieces.h"
 
 namespace limpid::reference {
@@ -11,8 +11,6 @@ namespace limpid::reference {
 namespace {
 
 using Complex = std::complex<double>;
-constexpr double tau = 2 * std::numbers::pi;
-
 /// Σ_n line[n] e^(2πi n m / N) for all m, in place; N a power of two.
 void transform(std::vector<Complex>& line) {
     const std::size_t count = line.size();

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "core/Tau.h"
 
 namespace limpid {
 
@@ -10,8 +11,6 @@ namespace {
 
 constexpr double gravity = 9.81;    // m/s²
 constexpr double tension = 7.28e-5; // m³/s²: 0.0728 N/m at 20 °C over 1000 kg/m³
-constexpr double tau = 2 * std::numbers::pi;
-
 /// Steele, Lea and Flood 2014 (SplitMix).
 std::uint64_t mixed(std::uint64_t x) {
     x += 0x9e3779b97f4a7c15u;

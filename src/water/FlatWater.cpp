@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/Optics.h"
+#include "core/Tau.h"
 #include "water/SunDisc.h"
 #include "water/WaveTerms.h"
 
@@ -26,7 +27,7 @@ std::vector<glm::dvec3> possibleNormals(double steepest) {
     constexpr int turns = 24;
     for (const double share : {0.5, 1.0})
         for (int i = 0; i < turns; ++i) {
-            const double angle = 2 * std::numbers::pi * i / turns;
+            const double angle = tau * i / turns;
             const double slope = share * steepest;
             normals.push_back(
                 glm::normalize(glm::dvec3(-slope * std::cos(angle), 1, -slope * std::sin(angle))));
@@ -55,7 +56,7 @@ std::vector<Light> partsOf(const Light& light) {
     // The disc lies within the polygon.
     const double radius = 1 / std::cos(std::numbers::pi / sides);
     for (int i = 0; i < sides; ++i) {
-        const double turn = 2 * std::numbers::pi * i / sides;
+        const double turn = tau * i / sides;
         parts.push_back(beside(light, radius * glm::dvec2(std::cos(turn), std::sin(turn))));
     }
     return parts;

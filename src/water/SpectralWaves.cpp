@@ -1,9 +1,10 @@
 #include "water/SpectralWaves.h"
 
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <vector>
+
+#include "core/Tau.h"
 
 namespace limpid {
 
@@ -23,7 +24,7 @@ std::vector<ModeData> modesOf(const Spectrum& spectrum) {
         for (int column = 0; column < spectrum.modes; ++column) {
             const std::complex<double>& h = spectrum.amplitudes[modes.size()];
             const double turns = Spectrum::frequency(glm::length(spectrum.wavenumber(column, row)));
-            modes.push_back({{float(h.real()), float(h.imag())}, turns / (2 * std::numbers::pi)});
+            modes.push_back({{float(h.real()), float(h.imag())}, turns / tau});
         }
     return modes;
 }
@@ -31,7 +32,7 @@ std::vector<ModeData> modesOf(const Spectrum& spectrum) {
 std::vector<glm::vec2> turnsOf(int texels) {
     std::vector<glm::vec2> turns;
     for (int i = 0; i < texels / 2; ++i) {
-        const double angle = 2 * std::numbers::pi * i / texels;
+        const double angle = tau * i / texels;
         turns.emplace_back(std::cos(angle), std::sin(angle));
     }
     return turns;

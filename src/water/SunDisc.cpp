@@ -1,7 +1,8 @@
 #include "water/SunDisc.h"
 
 #include <cmath>
-#include <numbers>
+
+#include "core/Tau.h"
 
 namespace limpid {
 
@@ -20,7 +21,7 @@ std::vector<Light> discPoints(const Light& light) {
     if (light.type != LightType::Directional || light.angularDiameter <= 0) return points;
     const double away = std::sqrt(2.0 / 3 * (1 - discPointRadius * discPointRadius));
     for (int i = 0; i < 3; ++i) {
-        const double turn = 2 * std::numbers::pi * i / 3;
+        const double turn = tau * i / 3;
         points.push_back(beside(light, away * glm::dvec2(std::cos(turn), std::sin(turn))));
     }
     return points;

@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "core/Tau.h"
 
 namespace limpid {
 
 namespace {
-
-constexpr double tau = 2 * std::numbers::pi;
 
 WaveTermData cosineTerm(const Wave& wave, const glm::dvec3& origin, double time) {
     const glm::dvec2 direction = glm::normalize(wave.direction);

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "core/Tau.h"
 
 namespace limpid::viewer {
 
@@ -46,7 +47,7 @@ glm::dvec3 Gizmo::at(int axis, double s) const {
 
 glm::dvec2 Gizmo::ends() const {
     // Arrows leave the middle free for whoever wants to pick what is there.
-    return mode == Mode::Turn ? glm::dvec2(0, 2 * std::numbers::pi) : glm::dvec2(0.2, 1) * size;
+    return mode == Mode::Turn ? glm::dvec2(0, tau) : glm::dvec2(0.2, 1) * size;
 }
 
 std::optional<int> Gizmo::under(const glm::dvec2& mouse, double reach, const Projection& projection) const {
