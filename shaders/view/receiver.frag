@@ -15,6 +15,7 @@ layout(location = 4) uniform int way;          // straight, refracted or mirrore
 layout(location = 5) uniform int sheerSide;    // 0: what hides all behind it; of what is blended with that, 1: faces
                                                // seen from the front, -1: from the back
 layout(location = 19) uniform float transmission; // of what is blended
+layout(location = 22) uniform int ofPartlySheer;  // 1: maps show not this, but what is behind it (scene/Mesh.h)
 layout(location = 0) out vec4 outRadiance;
 layout(location = 1) out float outMetres;
 
@@ -109,8 +110,9 @@ void main() {
         // Flux goes by the face, the look by the shading normal.
         float smoothing = clamp(-dot(shading, boxT.xyz) / (sign(facing) * max(abs(facing), 0.05)), 0.0, 1.5);
         lit = lit && belongsToMap(face);
-        // Maps hold what the surface takes; its colour shows by all that comes to it.
-        if (lit) irradiance = castIrradiance(face) * smoothing / max(taken, vec3(0.02));
+        // Maps hold what the surface takes, or what it lets through; its colour shows by all that comes to it.
+        vec3 held = sheerSide != 0 && ofPartlySheer != 0 ? 1.0 - taken : taken;
+        if (lit) irradiance = castIrradiance(face) * smoothing / max(held, vec3(0.02));
     }
     if (strength != vec3(0.0)) irradiance += straightIrradiance(turned * shading, face);
     vec3 albedo = base.rgb * (base.a * (1.0 - through) / max(alpha, 1e-3));

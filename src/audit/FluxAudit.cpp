@@ -82,7 +82,7 @@ BeamRay RayTracer::rayOf(int i, int count) const {
 
 /// The share of what lands at `hit` that a map has.
 double RayTracer::share(const reference::Hit& hit, const glm::dvec3& direction) const {
-    if (std::size_t(hit.receiver) >= _maps.size()) return 0;
+    if (std::size_t(hit.receiver) >= _maps.size() || !hit.shown) return 0;
     const Maps& maps = _maps[std::size_t(hit.receiver)];
     if (!maps[0]) return 0;
     const glm::dvec3 lit = glm::dot(hit.normal, direction) > 0 ? -hit.normal : hit.normal;

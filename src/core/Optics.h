@@ -7,6 +7,9 @@
 // Not every file that includes this calls every function.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-function"
+#ifdef __clang__
+#pragma GCC diagnostic ignored "-Wkeyword-macro"
+#endif
 
 namespace limpid::optics {
 namespace {

@@ -273,7 +273,7 @@ void Engine::updateReceiver(ReceiverMaps& maps) {
         drawSlices(maps);
         break;
     }
-    updateTakenLight(maps);
+    if (_scene.caustics.method != Method::Volumetric) updateTakenLight(maps);
 }
 
 void Engine::prepareMaps(ReceiverMaps& maps) {

@@ -48,8 +48,10 @@ const WaterMesh& Engine::mapMesh(const LightState& state) const {
     return state.lampWater ? state.lampWater->surface.mesh() : _surface.mesh();
 }
 
+/// Of slices, the fill itself finds which surface a texel shows, and only then can sheets before it be asked.
 void Engine::fill(ReceiverMaps& maps) {
     fillWhole(maps);
+    if (_scene.caustics.method == Method::Volumetric) updateTakenLight(maps);
     if (maps.taken.id()) _takenLight->apply(maps.caustics.irradiance, maps.taken);
 }
 

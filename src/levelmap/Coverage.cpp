@@ -62,7 +62,7 @@ void CoveragePass::drawPlaces(const gl::Texture& covered, const ReceiverGeometry
     framebuffer.clearColor(0, glm::vec4(0));
     framebuffer.clearDepth(1);
     glEnable(GL_DEPTH_TEST);
-    geometry.draw(_draw);
+    geometry.drawShown(_draw);
     glDisable(GL_DEPTH_TEST);
 }
 

@@ -63,7 +63,7 @@ void LitReceiver::draw(const gl::Program& program, const LevelMap& map) const {
     if (sceneDepth) sceneDepth->bind(sceneDepthUnit);
     program.set(TestOcclusion, sceneDepth ? 1 : 0);
     program.set(ReceiverNumber, number);
-    geometry.draw(program);
+    geometry.drawShown(program);
 }
 
 LevelMapPass::LevelMapPass(gl::Context& context)

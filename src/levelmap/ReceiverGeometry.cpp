@@ -19,13 +19,10 @@ enum MaterialUniform {
     NormalScale,
     Transmission,
     Blended,
-    EmissionFactor
+    EmissionFactor,
+    OfPartlySheer
 };
 constexpr GLuint baseColorUnit = 0, normalMapUnit = 4, transmissionUnit = 5, emissionUnit = 8;
-
-bool isSheer(const Material& material) {
-    return material.alphaMode == AlphaMode::Blend || material.transmission > 0;
-}
 
 /// Share of the light that goes through what is there of the surface, about.
 float meanThrough(const Material& material) {
@@ -95,7 +92,8 @@ Bounds boundsOf(const Receiver& receiver, const MeshPart& part) {
 } // namespace
 
 ReceiverGeometry::ReceiverGeometry(gl::Context& context, const Receiver& receiver, const glm::dvec3& origin)
-    : _parts(receiver.mesh->parts), _materials(receiver.mesh->materials), _closed(isSolid(receiver)) {
+    : _parts(receiver.mesh->parts), _materials(receiver.mesh->materials), _closed(isSolid(receiver)),
+      _partlySheer(isPartlySheer(*receiver.mesh)) {
     gl::Ledger& ledger = context.ledger();
     const auto vertices = worldVertices(receiver, origin);
     _vertices = gl::Buffer(ledger, "meshes", std::span<const Vertex>(vertices));
@@ -152,26 +150,35 @@ void ReceiverGeometry::drawPart(std::size_t index, const gl::Program& program, G
 
 void ReceiverGeometry::drawPart(std::size_t part, const gl::Program& program, GLenum primitive) const {
     program.set(Transmission, _materials[std::size_t(_parts[part].material)].transmission);
+    program.set(OfPartlySheer, _partlySheer ? 1 : 0);
     drawPart(part, program, primitive, 0);
 }
 
-template <typename Prepare>
-void ReceiverGeometry::drawTaking(const gl::Program& program, GLenum primitive,
-                                  const Prepare& prepare) const {
+void ReceiverGeometry::draw(const gl::Program& program, GLenum primitive) const {
     for (std::size_t i = 0; i < _parts.size(); ++i) {
         const Material& material = _materials[std::size_t(_parts[i].material)];
         if (material.alphaMode != AlphaMode::Blend && meanThrough(material) > 0.5f) continue;
-        prepare(material);
         drawPart(i, program, primitive, alphaCutoff(material, halfOpaque(material)));
     }
 }
 
-void ReceiverGeometry::draw(const gl::Program& program, GLenum primitive) const {
-    drawTaking(program, primitive, [](const Material&) {});
+template <typename Prepare>
+void ReceiverGeometry::drawShown(const gl::Program& program, const Prepare& prepare) const {
+    for (std::size_t i = 0; i < _parts.size(); ++i) {
+        const Material& material = _materials[std::size_t(_parts[i].material)];
+        const float alpha = shownAlpha(material, _partlySheer);
+        if (alpha > 1 || (material.alphaMode != AlphaMode::Blend && meanThrough(material) >= 1)) continue;
+        prepare(material);
+        drawPart(i, program, GL_TRIANGLES, alpha);
+    }
+}
+
+void ReceiverGeometry::drawShown(const gl::Program& program) const {
+    drawShown(program, [](const Material&) {});
 }
 
 void ReceiverGeometry::drawTranslucence(const gl::Program& program) const {
-    drawTaking(program, GL_TRIANGLES, [&](const Material& material) {
+    drawShown(program, [&](const Material& material) {
         program.set(Transmission, material.transmission);
         program.set(Blended, material.alphaMode == AlphaMode::Blend ? 1 : 0);
         bindTexture(material.transmissionImage >= 0 ? _images[std::size_t(material.transmissionImage)]

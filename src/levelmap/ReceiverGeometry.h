@@ -10,10 +10,6 @@
 
 namespace limpid {
 
-/// Alpha from which something blended hides all that is behind it: the last of 256 steps. The shader
-/// view/receiver.frag has it too.
-inline constexpr float solidAlpha = 254.5f / 255;
-
 /// A receiver on the GPU.
 /// Vertex: float[3] position, m from the scene's origin; float[3] shading normal; float[2] uv of the base
 /// colour, float[2] of normal maps; uint16[4] linear colour; 32-bit indices.
@@ -25,6 +21,8 @@ class ReceiverGeometry {
     /// `primitive` is GL_TRIANGLES, or GL_PATCHES for a program that tessellates.
     /// What lets more than half of the light through counts as a hole, else as solid.
     void draw(const gl::Program& program, GLenum primitive = GL_TRIANGLES) const;
+    /// Draws what maps show (scene/Mesh.h, shownAlpha).
+    void drawShown(const gl::Program& program) const;
     /// The same with what shaders/levelmap/opacity.frag takes besides.
     void drawTranslucence(const gl::Program& program) const;
     /// Without what lets something show through.
@@ -48,9 +46,9 @@ class ReceiverGeometry {
   private:
     void uploadImages(gl::Ledger& ledger, const Mesh& mesh);
     void drawPart(std::size_t part, const gl::Program& program, GLenum primitive, float cutoff) const;
-    /// The parts that take at least half of the light; `prepare`: before each.
+    /// `prepare`: before each part.
     template <typename Prepare>
-    void drawTaking(const gl::Program& program, GLenum primitive, const Prepare& prepare) const;
+    void drawShown(const gl::Program& program, const Prepare& prepare) const;
     gl::VertexArray _vertexArray;
     gl::Buffer _vertices, _indices;
     std::vector<gl::Texture> _images;
@@ -58,7 +56,7 @@ class ReceiverGeometry {
     std::vector<MeshPart> _parts;
     std::vector<Material> _materials;
     std::vector<SheerPart> _sheerParts;
-    bool _closed = false;
+    bool _closed = false, _partlySheer = false;
 };
 
 enum class Side { Below, Above };

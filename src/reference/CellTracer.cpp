@@ -69,7 +69,7 @@ void CellTracer::follow(Traced& traced) const {
 
 TexelMap* CellTracer::mapOf(const Hit& hit, const glm::dvec3& direction) const {
     const auto& maps = _scene.maps[std::size_t(hit.receiver)];
-    if (!maps[0]) return nullptr;
+    if (!maps[0] || !hit.shown) return nullptr;
     const glm::dvec3 lit = glm::dot(hit.normal, direction) > 0 ? -hit.normal : hit.normal;
     const FaceSorting& faces = maps[0]->request().faces;
     TexelMap* map = maps[std::size_t(faces.mapOf(faces.sheet ? lit : hit.normal))];

@@ -112,6 +112,7 @@ Hit SceneGeometry::refined(const Shape& shape, int receiver, const RTCRayHit& qu
         hit.distance = glm::dot(hit.normal, shape.corner(face, 0) - from) / facing;
     hit.point = from + hit.distance * direction;
     hit.transmittance = shape.sheets.transmittance(*shape.mesh, face, {query.hit.u, query.hit.v});
+    hit.shown = shape.sheets.isShown(*shape.mesh, face, {query.hit.u, query.hit.v});
     hit.reach = double(query.ray.tfar);
     return hit;
 }
@@ -192,9 +193,13 @@ void SceneGeometry::filterShown(const RTCFilterFunctionNArguments* arguments) {
         const double y =
             double(RTCRayN_org_y(ray, arguments->N, i)) +
             double(RTCRayN_tfar(ray, arguments->N, i)) * double(RTCRayN_dir_y(ray, arguments->N, i));
-        const glm::dvec3 across = shown.shape->across(RTCHitN_primID(arguments->hit, arguments->N, i));
+        const unsigned face = RTCHitN_primID(arguments->hit, arguments->N, i);
+        const glm::dvec3 across = shown.shape->across(face);
         const double size = glm::length(across);
-        if (y > shown.level || !(size > 0) || !shown.faces->shows(shown.facing, across / size))
+        const glm::vec2 uv(RTCHitN_u(arguments->hit, arguments->N, i),
+                           RTCHitN_v(arguments->hit, arguments->N, i));
+        if (y > shown.level || !(size > 0) || !shown.faces->shows(shown.facing, across / size) ||
+            !shown.shape->sheets.isShown(*shown.shape->mesh, face, uv))
             arguments->valid[i] = 0;
     }
 }

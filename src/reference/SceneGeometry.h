@@ -21,6 +21,7 @@ struct Hit {
     glm::dvec3 point{0};         ///< m from the origin
     glm::dvec3 normal{0};        ///< unit, of the face, by the winding
     glm::dvec3 transmittance{0}; ///< share of light that goes on behind it (scene/Mesh.h)
+    bool shown = true;           ///< by maps (scene/Mesh.h, shownAlpha)
     double reach = 0;            ///< distance as Embree has it
 
     explicit operator bool() const { return receiver >= 0; }

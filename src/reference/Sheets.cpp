@@ -49,35 +49,46 @@ glm::vec4 sampled(const Mesh& mesh, int index, const Sampling& how, const glm::v
 
 Sheets::Sheets(const Mesh& mesh) {
     if (std::none_of(mesh.materials.begin(), mesh.materials.end(), isTranslucent)) return;
+    _partly = isPartlySheer(mesh);
     _materials.assign(mesh.triangleCount(), 0);
     for (const MeshPart& part : mesh.parts)
         std::fill_n(_materials.begin() + part.firstIndex / 3, part.indexCount / 3, part.material);
+}
+
+Sheets::Place Sheets::at(const Mesh& mesh, std::uint32_t face, const glm::vec2& place) const {
+    const Material& material = mesh.materials[std::size_t(_materials[face])];
+    const glm::vec3 weights(1 - place.x - place.y, place);
+    Place found{glm::vec2(0), glm::vec4(0)};
+    for (int c = 0; c < 3; ++c) {
+        const std::uint32_t corner = mesh.indices[3 * face + std::uint32_t(c)];
+        found.uv += weights[c] * mesh.uvs[corner];
+        found.color +=
+            weights[c] * (mesh.colors.empty() ? glm::vec4(1) : glm::clamp(mesh.colors[corner], 0.0f, 1.0f));
+    }
+    const Sampling how{material.baseColorWrapS, material.baseColorWrapT, material.baseColorNearest};
+    found.color *= material.baseColor * sampled(mesh, material.baseColorImage, how, found.uv);
+    found.color = glm::clamp(found.color, 0.0f, 1.0f);
+    return found;
+}
+
+bool Sheets::isShown(const Mesh& mesh, std::uint32_t face, const glm::vec2& place) const {
+    if (none()) return true;
+    const Material& material = mesh.materials[std::size_t(_materials[face])];
+    const float least = shownAlpha(material, _partly);
+    return least <= 0 || (least <= 1 && at(mesh, face, place).color.a >= least);
 }
 
 glm::vec3 Sheets::transmittance(const Mesh& mesh, std::uint32_t face, const glm::vec2& place) const {
     if (none()) return glm::vec3(0);
     const Material& material = mesh.materials[std::size_t(_materials[face])];
     if (!isTranslucent(material)) return glm::vec3(0);
-    const glm::vec3 weights(1 - place.x - place.y, place);
-    glm::vec2 uv(0);
-    glm::vec4 color(0);
-    for (int c = 0; c < 3; ++c) {
-        const std::uint32_t corner = mesh.indices[3 * face + std::uint32_t(c)];
-        uv += weights[c] * mesh.uvs[corner];
-        color +=
-            weights[c] * (mesh.colors.empty() ? glm::vec4(1) : glm::clamp(mesh.colors[corner], 0.0f, 1.0f));
-    }
-    color *= material.baseColor *
-             sampled(mesh, material.baseColorImage,
-                     {material.baseColorWrapS, material.baseColorWrapT, material.baseColorNearest}, uv);
+    const Place found = at(mesh, face, place);
+    const Sampling how{material.transmissionWrapS, material.transmissionWrapT, false};
     const float transmission =
-        material.transmission *
-        (material.transmission > 0
-             ? sampled(mesh, material.transmissionImage,
-                       {material.transmissionWrapS, material.transmissionWrapT, false}, uv)
-                   .r
-             : 0.0f);
-    return limpid::transmittance(material, glm::clamp(color, 0.0f, 1.0f), transmission);
+        material.transmission > 0
+            ? material.transmission * sampled(mesh, material.transmissionImage, how, found.uv).r
+            : 0.0f;
+    return limpid::transmittance(material, found.color, transmission);
 }
 
 } // namespace limpid::reference

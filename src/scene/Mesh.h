@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -52,6 +53,15 @@ inline bool isTranslucent(const Material& material) {
     return material.alphaMode != AlphaMode::Opaque || material.transmission > 0;
 }
 
+/// Whether something shows through all of a material's faces, not through holes alone.
+inline bool isSheer(const Material& material) {
+    return material.alphaMode == AlphaMode::Blend || material.transmission > 0;
+}
+
+/// Alpha from which something blended hides all that is behind it: the last of 256 steps. The shader
+/// view/receiver.frag has it too.
+inline constexpr float solidAlpha = 254.5f / 255;
+
 /// Share of the light, by channel, that goes on behind a place of a face; the face takes the rest. It goes on
 /// unbent: sheets are thin and have water on either side, and a closed body is its two faces. `color`: base
 /// colour times texture and vertex colour, linear RGB and alpha, [0, 1]; `transmission`: the material's times
@@ -95,5 +105,29 @@ struct Mesh {
 
     std::size_t triangleCount() const { return indices.size() / 3; }
 };
+
+/// Whether some of the mesh is sheer and the rest is not. A map of it shows the rest: one surface has a texel,
+/// and a sheet that had it would take it from what the light meets behind the sheet.
+inline bool isPartlySheer(const Mesh& mesh) {
+    const auto sheer = [&](const MeshPart& p) { return isSheer(mesh.materials[std::size_t(p.material)]); };
+    return std::any_of(mesh.parts.begin(), mesh.parts.end(), sheer) &&
+           !std::all_of(mesh.parts.begin(), mesh.parts.end(), sheer);
+}
+
+/// Alpha from which a map shows a place of the material; above 1 where it never does. `partly`: of a mesh that
+/// is partly sheer.
+inline float shownAlpha(const Material& material, bool partly) {
+    if (partly && material.transmission > 0) return 2;
+    switch (material.alphaMode) {
+    case AlphaMode::Opaque:
+        return 0;
+    case AlphaMode::Mask:
+        return material.alphaCutoff;
+    case AlphaMode::Blend:
+        // The soft rim of a leaf on a texture counts from its middle.
+        return partly ? solidAlpha : std::max(0.5f * material.baseColor.a, 0.5f / 255);
+    }
+    return 0;
+}
 
 } // namespace limpid

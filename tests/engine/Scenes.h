@@ -18,6 +18,23 @@ inline Receiver shape(const char* name, Mesh mesh, const glm::dvec3& translation
     return receiver;
 }
 
+/// Moves `other` by `at` and makes it part of `mesh`, with its materials.
+inline void join(Mesh& mesh, const Mesh& other, const glm::dvec3& at) {
+    const auto first = std::uint32_t(mesh.positions.size()), firstIndex = std::uint32_t(mesh.indices.size());
+    for (const glm::dvec3& p : other.positions)
+        mesh.positions.push_back(p + at);
+    mesh.normals.insert(mesh.normals.end(), other.normals.begin(), other.normals.end());
+    mesh.uvs.insert(mesh.uvs.end(), other.uvs.begin(), other.uvs.end());
+    for (const std::uint32_t i : other.indices)
+        mesh.indices.push_back(first + i);
+    for (MeshPart part : other.parts) {
+        part.firstIndex += firstIndex;
+        part.material += int(mesh.materials.size());
+        mesh.parts.push_back(part);
+    }
+    mesh.materials.insert(mesh.materials.end(), other.materials.begin(), other.materials.end());
+}
+
 inline Receiver floorAt(double y, double size = 2) {
     return shape("floor", makePlane(glm::dvec2(size), glm::vec3(0.8f)), {0, y, 0});
 }

@@ -126,6 +126,23 @@ TEST(Sheets, ClearGlassIsAsNone) {
     EXPECT_FALSE(traced.covered(1, 16, 16)) << "what takes nothing has no texels";
 }
 
+TEST(Sheets, AFloorHasItsTexelsUnderASheetOfItsOwnMesh) {
+    for (const Material& material : {blended(0.6f), glass(0.7f)}) {
+        Mesh both = makePlane({floorSide, floorSide}, glm::vec3(0.8f));
+        scenes::join(both, pane(material), {0, 0.5, 0});
+        Scene scene = under(pane(material));
+        scene.receivers = {scenes::shape("pool", std::move(both), {0, -1, 0})};
+        const test::Traced traced = test::trace(scene, 50'000);
+        ASSERT_TRUE(traced.covered(0, 16, 16));
+        const std::size_t middle = 3 * (16 * 32 + 16);
+        const glm::vec3 through = transmittance(material, material.baseColor, material.transmission);
+        for (std::size_t c = 0; c < 3; ++c)
+            EXPECT_NEAR(double(traced.map(0).irradiance[middle + c]) / test::transmittance(0, 1.333),
+                        double(through[int(c)]), 5e-3);
+        expectBalance(traced);
+    }
+}
+
 TEST(Sheets, APaneAboveTheWaterKeepsLightFromIt) {
     const glm::dvec3 through = 0.7 * glm::dvec3(0.9, 0.5, 0.2);
     const test::Traced traced = test::trace(under(pane(glass(0.7f)), 0.5), 50'000);

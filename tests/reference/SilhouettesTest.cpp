@@ -6,26 +6,13 @@
 namespace limpid {
 namespace {
 
-/// Another shape at `at`, as a part of the same mesh.
-void append(Mesh& mesh, const Mesh& other, const glm::dvec3& at) {
-    const auto first = std::uint32_t(mesh.positions.size());
-    for (std::size_t i = 0; i < other.positions.size(); ++i) {
-        mesh.positions.push_back(other.positions[i] + at);
-        mesh.normals.push_back(other.normals[i]);
-        mesh.uvs.push_back(other.uvs[i]);
-    }
-    for (const std::uint32_t index : other.indices)
-        mesh.indices.push_back(first + index);
-    mesh.parts[0].indexCount = std::uint32_t(mesh.indices.size());
-}
-
 /// A floor with something on it, one receiver, under a lamp: its light leans outwards from how the map looks,
 /// by 0.15 at x = 0.5.
 class SilhouettesTest : public testing::Test {
   protected:
     static test::Traced traceWith(const Mesh* thing, const glm::dvec3& at) {
         Mesh mesh = makePlane({2, 2}, glm::vec3(0.8f));
-        if (thing) append(mesh, *thing, at);
+        if (thing) scenes::join(mesh, *thing, at);
         Scene scene;
         scene.receivers = {scenes::shape("floor", std::move(mesh), {0, -1, 0})};
         Light lamp;

@@ -16,7 +16,7 @@ using namespace widgets;
 namespace {
 
 constexpr Field power{.speed = 0.02, .min = 0, .max = 1e12};
-constexpr Field angle{.speed = 0.3, .min = -360, .max = 360, .format = "%.2f°"};
+constexpr Field degrees{.speed = 0.3, .min = -360, .max = 360, .format = "%.2f°"};
 
 /// Metres a pixel of a drag: one over the whole panel moves things by about the scene's size.
 double lengthSpeed(const State& state) {
@@ -65,7 +65,7 @@ void sunFields(Light& light) {
     double around = glm::degrees(std::atan2(way.z, way.x));
     const Field elevation{.speed = 0.2, .min = 1, .max = 90, .format = "%.2f°"};
     bool changed = number("height", height, elevation, "over the horizon");
-    changed |= number("heading", around, angle, "where its light goes, from x towards z");
+    changed |= number("heading", around, degrees, "where its light goes, from x towards z");
     if (!changed) return;
     const double across = std::cos(glm::radians(height));
     light.direction = {across * std::cos(glm::radians(around)), -std::sin(glm::radians(height)),
@@ -122,7 +122,7 @@ void receiverFields(State& state, Receiver& receiver) {
     vector("translation", receiver.translation, length, "m");
     // Angles about x, y and z. The turn is kept as a quaternion and shown as angles near by.
     glm::dvec3 angles = glm::degrees(glm::eulerAngles(receiver.rotation)) + 0.0; // no -0
-    if (vector("rotation", angles, angle, "degrees about x, y and z"))
+    if (vector("rotation", angles, degrees, "degrees about x, y and z"))
         receiver.rotation = glm::normalize(glm::dquat(glm::radians(angles)));
     glm::dvec3 scale = receiver.scale;
     if (vector("scale", scale, {.speed = 0.005}) && scale.x != 0 && scale.y != 0 && scale.z != 0)
