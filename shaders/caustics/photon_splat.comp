@@ -1,8 +1,8 @@
-// Photons through the water onto what a level map shows (Papadopoulos and Papaioannou 2009, 3.3). A photon is refracted as the beam that it goes through, its landing is found by
-// Newton's iteration on the level map (Shah and Konttinen 2007), and its flux is shared out among the texels of a square
-// splat that show the surface it landed on, so that none of it is lost over an edge. A photon stands for parallel rays to all
-// of its splat; where some triangle may be in their way (occluders.glsl), it is left to a second pass, which asks for each
-// texel; as is a splat of very many texels.
+// Photons through the water onto what a level map shows (Papadopoulos and Papaioannou 2009, 3.3). A photon is refracted as
+// the beam that it goes through, its landing is found by Newton's iteration on the level map (Shah and Konttinen 2007), and
+// its flux is shared out among the texels of a square splat that show the surface it landed on, so that none of it is lost
+// over an edge. A photon stands for parallel rays to all of its splat; where some triangle may be in their way
+// (occluders.glsl), it is left to a second pass, which asks for each texel; as is a splat of very many texels.
 // In: beams, tangent planes, occluders. Out: flux sums, list of the photons left. SHADED: the second pass, over that list.
 // VEILS: some occluders let part of the light through.
 #include "include/photon_ray.glsl"

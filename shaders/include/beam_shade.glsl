@@ -109,26 +109,6 @@ Rays raysOf(BeamPart part, vec2 shift, Target target) {
 vec3 passing[spreadRays + 1]; // of each ray, what is left of its light
 #endif
 
-// Follows all rays past the triangles that were found.
-void followFound(BeamPart part, Target target, inout Rays rays) {
-    for (int t = 0; t < foundCount; ++t) {
-        Facet facet;
-        OccluderTriangle triangle = occluderTriangles[foundTriangles[t]];
-        facetOf(triangle, target, facet);
-        for (int i = 0; i <= middleRay; ++i) {
-            if ((rays.lit >> i & 1u) == 0u) continue;
-            vec3 from, to, at;
-            rayOf(part, rays.shift, i, from, to);
-            if (!takes(facet, from, to, at)) continue;
-#ifdef VEILS
-            passing[i] *= passingTriangle(triangle, facet, at);
-            if (passing[i] != vec3(0.0)) continue;
-#endif
-            rays.lit &= ~(1u << i);
-        }
-    }
-}
-
 // Rays of each beam stand for its flux by its area; those that all fell into a dark one, for the other.
 vec3 weighedShare(BeamPart part, Rays rays) {
     vec2 density = part.sheet.flux / part.sheet.areas;
@@ -147,33 +127,54 @@ vec3 weighedShare(BeamPart part, Rays rays) {
 #endif
 }
 
-// Follows each ray past all triangles.
-void followAlone(BeamPart part, Target target, inout Rays rays) {
-    for (int i = 0; i <= middleRay; ++i) {
-        if ((rays.lit >> i & 1u) == 0u) continue;
-        vec3 from, to;
-        rayOf(part, rays.shift, i, from, to);
-        vec3 share = passingRay(from, to, target);
+// Follows rays, `first` to `last`, past the triangles that were found.
+void followFound(BeamPart part, Target target, int first, int last, inout Rays rays) {
+    for (int t = 0; t < foundCount; ++t) {
+        Facet facet;
+        OccluderTriangle triangle = occluderTriangles[foundTriangles[t]];
+        if (!facetOf(triangle, target, facet)) continue;
+        for (int i = first; i <= last; ++i) {
+            if ((rays.lit >> i & 1u) == 0u) continue;
+            vec3 from, to, at;
+            rayOf(part, rays.shift, i, from, to);
+            if (!takes(facet, from, to, at)) continue;
 #ifdef VEILS
-        passing[i] = share;
+            passing[i] *= passingTriangle(triangle, facet, at);
+            if (passing[i] != vec3(0.0)) continue;
 #endif
-        if (share == vec3(0.0)) rays.lit &= ~(1u << i);
+            rays.lit &= ~(1u << i);
+        }
     }
 }
 
-// The share of the part's light that arrives, [0, 1] by channel.
+// The share of the part's light that arrives, [0, 1] by channel. First the triangles are found that any ray may meet; where
+// these are many, each ray finds its own. One loop for both: what it calls is long, and programs hold a copy for each call.
 vec3 passingShare(BeamPart part, int quad, Target target) {
     mat4x3 ends = mat4x3(surfaceAt(part, part.low), surfaceAt(part, vec2(part.high.x, part.low.y)), surfaceAt(part, part.high),
                          surfaceAt(part, vec2(part.low.x, part.high.y)));
-    int node = 0;
-    findTriangles(node, pencilOf(part.starts, ends, vec3(0.0)), target, mostNodes);
+    Pencil pencil = pencilOf(part.starts, ends, vec3(0.0));
     bool below = leastOf(facingLight.xyz * ends) > greatestOf(facingLight.xyz * part.starts);
-    if (foundCount == 0 && sawAll(node) && below) return vec3(1.0);
-    Rays rays = raysOf(part, shiftOf(quad, part.texel), target);
+    Rays rays;
+    int node = 0, ray = -1; // -1: all rays
+    while (ray <= middleRay) {
+        findTriangles(node, pencil, target, mostNodes);
+        bool all = sawAll(node);
+        if (ray < 0) {
+            if (foundCount == 0 && all && below) return vec3(1.0);
+            rays = raysOf(part, shiftOf(quad, part.texel), target);
 #ifdef VEILS
-    for (int i = 0; i <= middleRay; ++i) passing[i] = vec3(1.0);
+            for (int i = 0; i <= middleRay; ++i) passing[i] = vec3(1.0);
 #endif
-    if (sawAll(node)) followFound(part, target, rays);
-    else followAlone(part, target, rays);
+        }
+        if (ray >= 0 || all) followFound(part, target, max(ray, 0), ray < 0 ? middleRay : ray, rays);
+        if (ray < 0 && all) break;
+        if (ray >= 0 && !all && (rays.lit >> ray & 1u) != 0u) continue;
+        do ++ray; while (ray <= middleRay && (rays.lit >> ray & 1u) == 0u);
+        if (ray > middleRay) break;
+        vec3 from, to;
+        rayOf(part, rays.shift, ray, from, to);
+        pencil = pencilOf(mat4x3(from, from, from, from), mat4x3(to, to, to, to), vec3(0.0));
+        node = 0;
+    }
     return weighedShare(part, rays);
 }

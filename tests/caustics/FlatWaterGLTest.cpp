@@ -102,6 +102,7 @@ class CausticMapGLTest : public EngineGLTest, public ::testing::WithParamInterfa
     static Scene empty() {
         Scene scene;
         scene.caustics.method = GetParam();
+        scene.caustics.photonGrid = {64, 64};
         return scene;
     }
 };
@@ -158,6 +159,7 @@ TEST_P(CausticMapGLTest, aLightThatDoesNotEnterGivesNothing) {
 
 TEST_P(CausticMapGLTest, aLampOverFlatWaterIsBrightestBelowIt) {
     Scene scene = empty();
+    scene.caustics.photonGrid = {200, 200};
     scene.receivers = {scenes::floorAt(-1)};
     scene.water.grid = {96, 96};
     scene.caustics.mapSize = 128;

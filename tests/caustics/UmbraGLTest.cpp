@@ -172,6 +172,7 @@ TEST_F(UmbraGLTest, holdsWhatHangsStraightBelow) {
         for (const int size : {64, 256, 1024}) {
             Scene scene = paneOver(2, size);
             scene.caustics.method = method;
+            scene.caustics.photonGrid = {100, 100};
             scene.receivers.push_back(
                 scenes::shape("below", makePlane(glm::dvec2(1), glm::vec3(0.8f)), {0, 0.25, 0}));
             scene.receivers.push_back(

@@ -15,6 +15,7 @@ class ReadbackGLTest : public EngineGLTest {
         scene.caustics.mapSize = 64;
         scene.caustics.method = Method::LevelMapSmart;
         scene.caustics.planes = 33;
+        scene.caustics.photonGrid = {40, 40};
         return scene;
     }
 };

@@ -18,6 +18,7 @@ class SkippingGLTest : public EngineGLTest {
         scene.water.grid = {32, 32};
         scene.caustics.mapSize = 48;
         scene.caustics.planes = 7;
+        scene.caustics.photonGrid = {40, 40};
         return scene;
     }
     /// Balls side by side at the bottom, some of which a camera does not see.

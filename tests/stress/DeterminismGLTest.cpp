@@ -31,6 +31,7 @@ TEST_F(DeterminismGLTest, everyMethodTwiceAndAfterOtherWork) {
             Scene scene = stressScene("objects", 48, 64);
             scene.caustics.method = method;
             scene.caustics.fill = fill;
+            scene.caustics.photonGrid = {40, 40};
             if (fill == Fill::Drawn && !hasFills(method)) continue;
             Engine engine(context()), other(context());
             const Bits first = bits(engine, scene);

@@ -14,6 +14,7 @@ class ExtremesGLTest : public StressTest {
         scene.water.grid = {32, 32};
         scene.caustics.mapSize = 64;
         scene.caustics.planes = 4;
+        scene.caustics.photonGrid = {64, 64};
         return scene;
     }
     static Mesh meshOf(std::vector<glm::dvec3> corners) {

@@ -26,6 +26,7 @@ inline Scene floorScene(double degrees, Method method) {
     scene.water.grid = {64, 64};
     scene.caustics.mapSize = 64;
     scene.caustics.planes = 8;
+    scene.caustics.photonGrid = {64, 64}; // two photons a texel along each side
     scene.caustics.method = method;
     return scene;
 }
