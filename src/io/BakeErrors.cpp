@@ -95,7 +95,7 @@ std::vector<MapPair> pairMaps(const Bake& a, const Bake& b, const std::string& n
             throw InputError(fmt::format("{}: {}: expected {} x {} texels as in {}, found {} x {}", nameA,
                                          mapTitle(map), map.size.x, map.size.y, nameB, pair.a->size.x,
                                          pair.a->size.y));
-        if (const double apart = frameDistance(*pair.a, map, a.origin, b.origin); !(apart <= 0.01))
+        if (const double apart = frameDistance(*pair.a, map, a.origin, b.origin); !(apart <= mostApart))
             throw InputError(
                 fmt::format("{}: {}: expected texels where {} has them, found them {:.3g} texels "
                             "away",

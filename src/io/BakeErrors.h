@@ -22,9 +22,12 @@ struct MapPair {
     ImagePair images() const { return {a->irradiance, b->irradiance, mask, area, 0, white}; }
 };
 
+/// Texels that the maps of one model may lie apart: a file quantized to 11 bits moves them by 0.03.
+inline constexpr double mostApart = 0.05;
+
 /// Pairs the maps by receiver, light and facing, in the order of `b`. `nameA`, `nameB` name the two in
 /// errors. Throws InputError where one of them lacks a map of the other's, or sizes or texel frames differ by
-/// more than a hundredth of a texel. The pairs point into `a` and `b`.
+/// more than `mostApart`. The pairs point into `a` and `b`.
 std::vector<MapPair> pairMaps(const Bake& a, const Bake& b, const std::string& nameA,
                               const std::string& nameB);
 

@@ -203,6 +203,10 @@ TEST(BakeErrorsTest, askForTheSameMapsAndTexels) {
     Bake moved = b;
     moved.maps[0].worldToTexture[3].x += 0.1;
     EXPECT_EQ(error(moved), "A: floor in sun: expected texels where B has them, found them 0.2 texels away");
+    // A quantized file's.
+    moved.maps[0].worldToTexture[3].x = b.maps[0].worldToTexture[3].x + 0.015;
+    EXPECT_EQ(error(moved), "no error");
+    moved.maps[0].worldToTexture[3].x = b.maps[0].worldToTexture[3].x + 0.1;
     // The same place counted from another origin.
     moved.origin.x = 0.1;
     EXPECT_EQ(error(moved), "no error");

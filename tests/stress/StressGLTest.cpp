@@ -22,6 +22,7 @@ TEST_F(StressGLTest, everyMethodAccountsForItsLight) {
     for (stress::NamedScene& named : stress::stressScenes(4, 128)) {
         Scene& scene = named.scene;
         const std::string& name = named.name;
+        scene.caustics.photonGrid = {100, 100};
         // Many maps, or many lights.
         if (name == "along-light" || name == "emergent" || name == "lights") {
             scene.water.grid /= 2;
