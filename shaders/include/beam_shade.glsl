@@ -147,13 +147,33 @@ void followFound(BeamPart part, Target target, int first, int last, inout Rays r
     }
 }
 
+// Where the rays to the corners of the part start: of a quad much wider than a texel, a small piece. The quad's own corners
+// where both of its beams have some of the part, or one so thin that its weights are nowhere near it.
+mat4x3 startsOf(BeamPart part, vec2 corners[4]) {
+    Sheet sheet = part.sheet;
+    float r = cross2(sheet.q, sheet.r);
+    if (r * cross2(sheet.q, sheet.s) >= 0.0) return part.starts;
+    vec4 sides = r * vec4(cross2(sheet.q, corners[0]), cross2(sheet.q, corners[1]), cross2(sheet.q, corners[2]), cross2(sheet.q, corners[3]));
+    bool upper = leastOf(sides) >= 0.0;
+    if (!upper && greatestOf(sides) > 0.0) return part.starts;
+    mat4x3 starts;
+    for (int i = 0; i < 4; ++i) {
+        vec2 weights;
+        weigh(sheet.q, upper ? sheet.r : sheet.s, corners[i], weights);
+        if (!all(lessThanEqual(abs(weights), vec2(2.0)))) return part.starts;
+        starts[i] = part.starts[0] + weights.x * (part.starts[1] - part.starts[0]) + weights.y * ((upper ? part.starts[2] : part.starts[3]) - part.starts[0]);
+    }
+    return starts;
+}
+
 // The share of the part's light that arrives, [0, 1] by channel. First the triangles are found that any ray may meet; where
 // these are many, each ray finds its own. One loop for both: what it calls is long, and programs hold a copy for each call.
 vec3 passingShare(BeamPart part, int quad, Target target) {
-    mat4x3 ends = mat4x3(surfaceAt(part, part.low), surfaceAt(part, vec2(part.high.x, part.low.y)), surfaceAt(part, part.high),
-                         surfaceAt(part, vec2(part.low.x, part.high.y)));
-    Pencil pencil = pencilOf(part.starts, ends, vec3(0.0));
-    bool below = leastOf(facingLight.xyz * ends) > greatestOf(facingLight.xyz * part.starts);
+    vec2 corners[4] = vec2[](part.low, vec2(part.high.x, part.low.y), part.high, vec2(part.low.x, part.high.y));
+    mat4x3 starts = startsOf(part, corners);
+    mat4x3 ends = mat4x3(surfaceAt(part, corners[0]), surfaceAt(part, corners[1]), surfaceAt(part, corners[2]), surfaceAt(part, corners[3]));
+    Pencil pencil = pencilOf(starts, ends, vec3(0.0));
+    bool below = leastOf(facingLight.xyz * ends) > greatestOf(facingLight.xyz * starts);
     Rays rays;
     int node = 0, ray = -1; // -1: all rays
     while (ray <= middleRay) {

@@ -78,6 +78,7 @@ struct Facet {
 };
 
 const float steepestSlope = 15.0;
+const float reachOfLean = 1.45; // texels from corner to corner: the edge to a neighbour may be at one, the ray's end at the other
 
 // A texel's surface is flat, so the receiver's own triangles may lie before it by as much as they lean against it within the
 // texel. Faces that another map holds, a wall beside a floor, are no part of it, nor is the underside of what hangs over
@@ -92,7 +93,7 @@ float contactOf(vec3 normal, OccluderTriangle triangle, Target target) {
     float stretch = sqrt(1.0 + dot(rise, rise)); // of a texel on the surface
     float cosine = abs(dot(normal, rise.x * boxU.xyz + rise.y * boxW.xyz - boxT.xyz)) / stretch;
     if (cosine < 0.5 && dot(normal, boxT.xyz) > 0.0) return tie;
-    return tie + 0.75 * boxExtent.w * stretch * sqrt(max(1.0 - cosine * cosine, 0.0)) + abs(dot(normal, target.near));
+    return tie + reachOfLean * boxExtent.w * stretch * sqrt(max(1.0 - cosine * cosine, 0.0)) + abs(dot(normal, target.near));
 }
 
 // False for a triangle without an area.

@@ -41,7 +41,7 @@ void Volumetric::drawSlices(Slices& slices, const LevelMap& map, const LitReceiv
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_FRAMEBUFFER_SRGB);
     for (int i = 0; i < slices.count(); ++i) {
-        const gl::Framebuffer framebuffer("slice image", targets, &depth, i);
+        const gl::Framebuffer framebuffer("slice image", targets, &depth, i, gl::SeenBy::Draws);
         framebuffer.bind();
         framebuffer.clearColor(0, {0, -1, 0, 0});
         framebuffer.clearColor(1, glm::vec4(0));
@@ -61,7 +61,7 @@ void Volumetric::drawCaustics(const Slices& slices, const LevelMap& map, const B
     bindImages(slices);
     const gl::Texture* const targets[] = {&slices.caustics};
     for (int i = 0; i < slices.count(); ++i) {
-        const gl::Framebuffer framebuffer("slice caustics", targets, nullptr, i);
+        const gl::Framebuffer framebuffer("slice caustics", targets, nullptr, i, gl::SeenBy::Draws);
         framebuffer.clearColor(0, glm::vec4(0));
         if (dark) continue;
         framebuffer.bind();

@@ -171,7 +171,8 @@ void Texture::swap(Texture& other) noexcept {
 }
 
 Framebuffer::Framebuffer(std::string label, std::span<const Texture* const> colors, const Texture* depth,
-                         int layer) {
+                         int layer, SeenBy next)
+    : _next(next) {
     glCreateFramebuffers(1, &_id);
     glObjectLabel(GL_FRAMEBUFFER, _id, -1, label.c_str());
     std::vector<GLenum> attachments;

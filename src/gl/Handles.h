@@ -112,23 +112,27 @@ class Texture {
     Ledger* _ledger = nullptr;
 };
 
+/// What looks at the targets next. Software OpenGL runs compute programs while triangles are still being
+/// filled, unless a barrier stands between, which the specification does not ask for.
+enum class SeenBy { Compute, Draws };
+
 /// Render targets; color attachment i is `colors[i]`, of an array its `layer`.
 class Framebuffer {
   public:
     Framebuffer() = default;
     Framebuffer(std::string label, std::span<const Texture* const> colors, const Texture* depth = nullptr,
-                int layer = 0);
-    /// What was drawn is there for compute programs after this: software OpenGL runs them while triangles
-    /// are still being filled, unless a barrier stands between, which the specification does not ask for.
+                int layer = 0, SeenBy next = SeenBy::Compute);
     ~Framebuffer() {
         if (!_id) return;
         glDeleteFramebuffers(1, &_id);
-        glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+        if (_next == SeenBy::Compute) glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
     }
-    Framebuffer(Framebuffer&& other) noexcept : _id(std::exchange(other._id, 0)), _size(other._size) {}
+    Framebuffer(Framebuffer&& other) noexcept
+        : _id(std::exchange(other._id, 0)), _size(other._size), _next(other._next) {}
     Framebuffer& operator=(Framebuffer&& other) noexcept {
         std::swap(_id, other._id);
         std::swap(_size, other._size);
+        std::swap(_next, other._next);
         return *this;
     }
 
@@ -143,6 +147,7 @@ class Framebuffer {
   private:
     GLuint _id = 0;
     glm::ivec2 _size{0};
+    SeenBy _next = SeenBy::Compute;
 };
 
 class VertexArray {
