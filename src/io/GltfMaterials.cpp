@@ -43,7 +43,9 @@ TextureUse extensionUse(const GltfFile& file, const std::string& place, const ti
     if (!info.IsObject()) return use;
     use.index = indexMember(file, use.place, info, "index");
     use.texCoord = std::max(indexMember(file, use.place, info, "texCoord"), 0);
-    const tinygltf::Value& transform = info.Get("extensions").Get("KHR_texture_transform");
+    const tinygltf::Value& extensions = info.Get("extensions");
+    if (!extensions.IsObject()) return use;
+    const tinygltf::Value& transform = extensions.Get("KHR_texture_transform");
     if (transform.IsObject()) use.transform = &transform;
     return use;
 }
