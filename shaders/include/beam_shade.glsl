@@ -57,6 +57,12 @@ bool isUpper(Sheet sheet, vec2 place, int ray) {
     return cross2(sheet.q, place) * r > 0.0;
 }
 
+// Where the ray starts that has these weights in one of the two beams.
+vec3 startIn(BeamPart part, bool upper, vec2 weights) {
+    vec3 third = upper ? part.starts[2] : part.starts[3];
+    return part.starts[0] + weights.x * (part.starts[1] - part.starts[0]) + weights.y * (third - part.starts[0]);
+}
+
 // Where a ray starts and ends. `inside`: 1 within the upper beam, 2 within the lower one, 0 in neither.
 int rayOf(BeamPart part, vec2 shift, int ray, out vec3 from, out vec3 to) {
     bool middle = ray == middleRay;
@@ -69,8 +75,7 @@ int rayOf(BeamPart part, vec2 shift, int ray, out vec3 from, out vec3 to) {
     bool upper = isUpper(part.sheet, place, ray);
     vec2 weights;
     bool inside = weigh(part.sheet.q, upper ? part.sheet.r : part.sheet.s, place, weights);
-    vec3 third = upper ? part.starts[2] : part.starts[3];
-    from = part.starts[0] + weights.x * (part.starts[1] - part.starts[0]) + weights.y * (third - part.starts[0]);
+    from = startIn(part, upper, weights);
     return inside ? (upper ? 1 : 2) : 0;
 }
 
@@ -153,7 +158,8 @@ mat4x3 startsOf(BeamPart part, vec2 corners[4]) {
     Sheet sheet = part.sheet;
     float r = cross2(sheet.q, sheet.r);
     if (r * cross2(sheet.q, sheet.s) >= 0.0) return part.starts;
-    vec4 sides = r * vec4(cross2(sheet.q, corners[0]), cross2(sheet.q, corners[1]), cross2(sheet.q, corners[2]), cross2(sheet.q, corners[3]));
+    vec4 sides;
+    for (int i = 0; i < 4; ++i) sides[i] = r * cross2(sheet.q, corners[i]);
     bool upper = leastOf(sides) >= 0.0;
     if (!upper && greatestOf(sides) > 0.0) return part.starts;
     mat4x3 starts;
@@ -161,7 +167,7 @@ mat4x3 startsOf(BeamPart part, vec2 corners[4]) {
         vec2 weights;
         weigh(sheet.q, upper ? sheet.r : sheet.s, corners[i], weights);
         if (!all(lessThanEqual(abs(weights), vec2(2.0)))) return part.starts;
-        starts[i] = part.starts[0] + weights.x * (part.starts[1] - part.starts[0]) + weights.y * ((upper ? part.starts[2] : part.starts[3]) - part.starts[0]);
+        starts[i] = startIn(part, upper, weights);
     }
     return starts;
 }
@@ -171,7 +177,8 @@ mat4x3 startsOf(BeamPart part, vec2 corners[4]) {
 vec3 passingShare(BeamPart part, int quad, Target target) {
     vec2 corners[4] = vec2[](part.low, vec2(part.high.x, part.low.y), part.high, vec2(part.low.x, part.high.y));
     mat4x3 starts = startsOf(part, corners);
-    mat4x3 ends = mat4x3(surfaceAt(part, corners[0]), surfaceAt(part, corners[1]), surfaceAt(part, corners[2]), surfaceAt(part, corners[3]));
+    mat4x3 ends;
+    for (int i = 0; i < 4; ++i) ends[i] = surfaceAt(part, corners[i]);
     Pencil pencil = pencilOf(starts, ends, vec3(0.0));
     bool below = leastOf(facingLight.xyz * ends) > greatestOf(facingLight.xyz * starts);
     Rays rays;

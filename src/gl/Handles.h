@@ -112,7 +112,7 @@ class Texture {
     Ledger* _ledger = nullptr;
 };
 
-/// What looks at the targets next. Software OpenGL runs compute programs while triangles are still being
+/// The next reader of the targets. Software OpenGL runs compute programs while triangles are still being
 /// filled, unless a barrier stands between, which the specification does not ask for.
 enum class SeenBy { Compute, Draws };
 

@@ -34,19 +34,6 @@ float halfOpaque(const Material& material) {
     return 0.5f / std::max(1 - meanThrough(material), 0.25f);
 }
 
-/// Alpha below it is a hole; 0: none.
-float alphaCutoff(const Material& material, float ofBlended) {
-    switch (material.alphaMode) {
-    case AlphaMode::Opaque:
-        return 0;
-    case AlphaMode::Mask:
-        return material.alphaCutoff;
-    case AlphaMode::Blend:
-        return ofBlended;
-    }
-    return 0;
-}
-
 GLenum wrapOf(Wrap wrap) {
     switch (wrap) {
     case Wrap::Repeat:
@@ -158,7 +145,7 @@ void ReceiverGeometry::draw(const gl::Program& program, GLenum primitive) const 
     for (std::size_t i = 0; i < _parts.size(); ++i) {
         const Material& material = _materials[std::size_t(_parts[i].material)];
         if (material.alphaMode != AlphaMode::Blend && meanThrough(material) > 0.5f) continue;
-        drawPart(i, program, primitive, alphaCutoff(material, halfOpaque(material)));
+        drawPart(i, program, primitive, holeAlpha(material, halfOpaque(material)));
     }
 }
 
@@ -191,7 +178,7 @@ void ReceiverGeometry::drawSolid(const gl::Program& program, GLenum primitive) c
     for (std::size_t i = 0; i < _parts.size(); ++i) {
         const Material& material = _materials[std::size_t(_parts[i].material)];
         if (material.transmission > 0) continue;
-        drawPart(i, program, primitive, alphaCutoff(material, solidAlpha));
+        drawPart(i, program, primitive, holeAlpha(material, solidAlpha));
     }
 }
 

@@ -16,10 +16,10 @@ class Sheets {
 
     /// Every face takes all light.
     bool none() const { return _materials.empty(); }
-    /// Whether maps show it (scene/Mesh.h, shownAlpha), likewise.
-    bool isShown(const Mesh& mesh, std::uint32_t face, const glm::vec2& place) const;
     /// Share of light that `face` lets through at `place`: weights of its second and third corner. [0, 1]
     glm::vec3 transmittance(const Mesh& mesh, std::uint32_t face, const glm::vec2& place) const;
+    /// True where maps show the place (scene/Mesh.h, shownAlpha).
+    bool isShown(const Mesh& mesh, std::uint32_t face, const glm::vec2& place) const;
 
   private:
     struct Place {

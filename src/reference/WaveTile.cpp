@@ -11,6 +11,7 @@ namespace limpid::reference {
 namespace {
 
 using Complex = std::complex<double>;
+
 /// Σ_n line[n] e^(2πi n m / N) for all m, in place; N a power of two.
 void transform(std::vector<Complex>& line) {
     const std::size_t count = line.size();

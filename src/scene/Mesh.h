@@ -53,7 +53,7 @@ inline bool isTranslucent(const Material& material) {
     return material.alphaMode != AlphaMode::Opaque || material.transmission > 0;
 }
 
-/// Whether something shows through all of a material's faces, not through holes alone.
+/// A material of which something shows through all faces, not through holes alone.
 inline bool isSheer(const Material& material) {
     return material.alphaMode == AlphaMode::Blend || material.transmission > 0;
 }
@@ -106,7 +106,7 @@ struct Mesh {
     std::size_t triangleCount() const { return indices.size() / 3; }
 };
 
-/// Whether some of the mesh is sheer and the rest is not. A map of it shows the rest: one surface has a texel,
+/// A mesh of which some is sheer and the rest is not. A map of it shows the rest: one surface has a texel,
 /// and a sheet that had it would take it from what the light meets behind the sheet.
 inline bool isPartlySheer(const Mesh& mesh) {
     const auto sheer = [&](const MeshPart& p) { return isSheer(mesh.materials[std::size_t(p.material)]); };
@@ -114,20 +114,25 @@ inline bool isPartlySheer(const Mesh& mesh) {
            !std::all_of(mesh.parts.begin(), mesh.parts.end(), sheer);
 }
 
-/// Alpha from which a map shows a place of the material; above 1 where it never does. `partly`: of a mesh that
-/// is partly sheer.
-inline float shownAlpha(const Material& material, bool partly) {
-    if (partly && material.transmission > 0) return 2;
+/// Alpha below which a place of the material is a hole, 0: none is; `ofBlended` of what is blended.
+inline float holeAlpha(const Material& material, float ofBlended) {
     switch (material.alphaMode) {
     case AlphaMode::Opaque:
         return 0;
     case AlphaMode::Mask:
         return material.alphaCutoff;
     case AlphaMode::Blend:
-        // The soft rim of a leaf on a texture counts from its middle.
-        return partly ? solidAlpha : std::max(0.5f * material.baseColor.a, 0.5f / 255);
+        return ofBlended;
     }
     return 0;
+}
+
+/// Alpha from which a map shows a place of the material; above 1 where it never does. `partly`: of a mesh
+/// that is partly sheer.
+inline float shownAlpha(const Material& material, bool partly) {
+    if (partly && material.transmission > 0) return 2;
+    // The soft rim of a leaf on a texture counts from its middle.
+    return holeAlpha(material, partly ? solidAlpha : std::max(0.5f * material.baseColor.a, 0.5f / 255));
 }
 
 } // namespace limpid

@@ -11,6 +11,7 @@ namespace {
 
 constexpr double gravity = 9.81;    // m/s²
 constexpr double tension = 7.28e-5; // m³/s²: 0.0728 N/m at 20 °C over 1000 kg/m³
+
 /// Steele, Lea and Flood 2014 (SplitMix).
 std::uint64_t mixed(std::uint64_t x) {
     x += 0x9e3779b97f4a7c15u;
