@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "io/Gltf.h"
+#include "levelmap/SceneDepthMap.h"
 #include "scene/Shapes.h"
 #include "water/FlatWater.h"
 
@@ -60,13 +61,12 @@ Stage::Stage(gl::Context& gl, const StageSize& asked)
     const DepthGradients gradients = depthGradients(scene.receivers[0], box, facings, 0, scene.water.level);
     prepareLevelMap(gl, map, {box, facings, gradients, size.mapSize, size.planes, glm::dvec3(0)});
     levelMapPass.draw(map, receiver());
+    std::optional<TangentPlanesPass::Rims> rims;
     if (!map.frame.flat) {
-        SceneDepthPass pass(gl);
-        const SceneDepthPass::Inputs inputs{beams, {&geometry, 1}, 10};
-        pass.drawFirst(_sceneDepth, 2 * map.frame.size, inputs);
-        pass.drawSolids(_sceneDepth, inputs);
+        _occluders.emplace(gl, scene.receivers, glm::dvec3(0));
+        rims.emplace(TangentPlanesPass::Rims{*_occluders, beams, 0});
     }
-    TangentPlanesPass(gl).update(tangents, map, beams, sceneDepth());
+    TangentPlanesPass(gl).update(tangents, map, rims ? &*rims : nullptr);
 }
 
 } // namespace limpid::bench

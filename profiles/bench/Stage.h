@@ -1,10 +1,11 @@
 #pragma once
 #include <compare>
+#include <optional>
 #include <string>
 
+#include "caustics/TangentPlanes.h"
 #include "levelmap/LevelMap.h"
-#include "levelmap/SceneDepthMap.h"
-#include "levelmap/TangentPlanes.h"
+#include "occlusion/Occluders.h"
 #include "water/Beams.h"
 #include "water/WaterSurface.h"
 
@@ -41,10 +42,10 @@ struct Stage {
 
     LitReceiver receiver() const { return {geometry, 0, beams, nullptr}; }
     /// Null for the floor, which nothing shades.
-    const SceneDepth* sceneDepth() const { return _sceneDepth.first.id() ? &_sceneDepth : nullptr; }
+    const Occluders* occluders() const { return _occluders ? &*_occluders : nullptr; }
 
   private:
-    SceneDepth _sceneDepth;
+    std::optional<Occluders> _occluders;
 };
 
 } // namespace limpid::bench

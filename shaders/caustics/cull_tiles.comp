@@ -1,7 +1,7 @@
 // Which tiles of the water's grid may send a beam to a map; one invocation a tile. A tile is left out only where the bounds
 // of its rays, between the least depth and the greatest, lie outside of the map.
 // In: bounds of the tiles; depths of the map's planes (levelmap/PlaneDepths.h), or with LEANING depths as exact beams
-// count them (levelmap/TangentPlanes.h). Out: list of the tiles, as work groups of an indirect
+// count them (caustics/TangentPlanes.h). Out: list of the tiles, as work groups of an indirect
 // dispatch; beams in them; marks of the tiles that are reached.
 #include "include/beam_limits.glsl"
 #include "include/beam_tiles.glsl"

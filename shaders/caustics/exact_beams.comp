@@ -67,6 +67,7 @@ int fateOf(Quad quad, int index, Leant leant, Slab slab, vec2 depths) {
         if (share != vec2(1.0)) return unsure;
     }
     if (testOcclusion == 0) return arrives;
+    if (depthNode(depthPyramid, slab.low, slab.high).z < 0.0) return unsure; // a rim
     // A surface that only leans lies no further apart than this; else there is an edge, and what is on it may be in the way.
     ivec2 span = slab.high - slab.low + 1;
     float leans = mostLean * float(max(span.x, span.y)) * boxExtent.w;

@@ -4,6 +4,7 @@
 #include "include/box.glsl"
 #include "include/flux_sums.glsl"
 #include "include/octahedral.glsl"
+#include "include/rim.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = 0) uniform sampler2D normalMap;
 layout(binding = 1) uniform sampler2D tangentPlanes; // RGBA32F
@@ -15,7 +16,10 @@ void main() {
     ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(texel, boxSize.xy))) return;
     vec3 sum = takeSums(texel.y * boxSize.x + texel.x, channels);
-    if (texelFetch(tangentPlanes, texel, 0).x >= 1e30) sum = vec3(0.0);
+    vec4 plane = texelFetch(tangentPlanes, texel, 0);
+    if (plane.x >= 1e30) sum = vec3(0.0);
+    // At a rim, over the area that shows the surface.
+    if (isRim(plane)) sum *= float(rimPlaces * rimPlaces) / float(bitCount(placesShown(plane)));
     vec3 normal = octahedralDecode(texelFetch(normalMap, texel, 0).xy);
     // As the bake has it: the normal's 16 bits cannot say less.
     float facing = max(abs(dot(normal, boxT.xyz)), 4e-5);

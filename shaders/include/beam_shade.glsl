@@ -4,6 +4,8 @@
 #include "include/beam_quads.glsl"
 #include "include/beam_sheet.glsl"
 #include "include/occluders.glsl"
+#include "include/rim.glsl"
+#include "include/surface_shadow.glsl"
 
 // The part of the beams in a texel.
 struct BeamPart {
@@ -11,6 +13,8 @@ struct BeamPart {
     vec2 low, high;  // its bounds, from the sheet's origin
     vec4 plane;      // of the texel: depth at its middle, m, and how it grows
     ivec2 texel;
+    int shown;       // places of the texel (rim.glsl)
+    bool cut;        // things above the water take some of the quad's light
     mat4x3 starts;   // of the rays through p, q, r, s at the water's surface
 };
 
@@ -85,6 +89,14 @@ struct Rays {
     vec2 shift;
 };
 
+// Whether a ray ends on what the texel shows.
+bool isShown(BeamPart part, vec3 to) {
+    return part.shown == allPlaces || showsPlace(part.shown, boxLocal(to).xy / boxExtent.w - vec2(part.texel));
+}
+
+// Whether a ray has light before anything under water stands in its way.
+bool isLitAt(BeamPart part, vec3 from) { return !part.cut || isLit(from); }
+
 bool goesDown(vec3 from, vec3 to) { return dot(facingLight.xyz, to - from) > 0.0; }
 
 // Of light along a face some rays may come from behind it: those are none of its light, and what takes them is no shade. Where
@@ -95,16 +107,17 @@ Rays raysOf(BeamPart part, vec2 shift, Target target) {
     for (int i = 0; i < spreadRays; ++i) {
         vec3 from, to;
         int beam = rayOf(part, shift, i, from, to);
-        if (dot(outward, to - from) >= 0.0) continue;
+        bool ends = isShown(part, to) && goesDown(from, to);
+        if (ends && dot(outward, to - from) >= 0.0) continue;
         if (beam == 1) rays.upper |= 1u << i;
         if (beam == 2) rays.lower |= 1u << i;
-        if (goesDown(from, to)) rays.lit |= 1u << i;
+        if (ends && isLitAt(part, from)) rays.lit |= 1u << i;
     }
     vec3 from, to;
     if ((rays.upper | rays.lower) == 0u) {
         rayOf(part, shift, middleRay, from, to);
         rays.upper = 1u << middleRay;
-        rays.lit = goesDown(from, to) ? rays.upper : 0u;
+        rays.lit = goesDown(from, to) && isShown(part, to) && isLitAt(part, from) ? rays.upper : 0u;
     }
     rays.lit &= rays.upper | rays.lower;
     return rays;
@@ -187,7 +200,7 @@ vec3 passingShare(BeamPart part, int quad, Target target) {
         findTriangles(node, pencil, target, mostNodes);
         bool all = sawAll(node);
         if (ray < 0) {
-            if (foundCount == 0 && all && below) return vec3(1.0);
+            if (foundCount == 0 && all && below && !part.cut && part.shown == allPlaces) return vec3(1.0);
             rays = raysOf(part, shiftOf(quad, part.texel), target);
 #ifdef VEILS
             for (int i = 0; i <= middleRay; ++i) passing[i] = vec3(1.0);

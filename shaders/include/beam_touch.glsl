@@ -11,20 +11,22 @@ layout(location = 2) uniform vec3 extinctionPerMetre;
 #endif
 #ifdef SHADED
 #include "include/beam_shade.glsl"
-#include "include/surface_shadow.glsl"
 layout(location = 3) uniform int testOcclusion;       // 0: nothing can be before the receiver
 layout(location = 4) uniform int testSurfaceShadow;   // 0: nothing stands out of the water
 layout(location = 5) uniform int receiverNumber;
-#endif
-#ifdef SHADED
+layout(std430, binding = 9) readonly buffer BeamLit { float lit[]; }; // a beam: what things above the water leave of its light
+
+bool isCut(int quad) { return testSurfaceShadow != 0 && (lit[2 * quad] < 1.0 || lit[2 * quad + 1] < 1.0); }
+
 // The share of the light that arrives at the texel, whose middle comes from `from` at the surface.
 vec3 arriving(Quad quad, int index, Sheet sheet, vec2 low, vec2 high, vec4 plane, ivec2 texel, vec3 from) {
-    vec3 share = vec3(testSurfaceShadow != 0 ? surfaceVisibility(from, 0.0) : 1.0);
-    if (testOcclusion == 0 || share == vec3(0.0)) return share;
+    if (testOcclusion == 0) return vec3(isCut(index) ? surfaceVisibility(from, 0.0) : 1.0);
     // Where the cut is across the box's axis, rays still end on the surface itself.
-    vec2 leaning = texelFetch(tangentPlanes, texel, 0).yz, rise = leaning / boxExtent.w;
+    vec4 tangent = texelFetch(tangentPlanes, texel, 0);
+    vec2 leaning = tangent.yz, rise = leaning / boxExtent.w;
     if (plane.yz == vec2(0.0)) plane.yz = leaning * min(1.0, steepestSlope / max(length(rise), 1e-6));
-    return share * passingShare(BeamPart(sheet, low, high, plane, texel, rayStarts(quad)), index, targetOf(receiverNumber, rise, vec3(0.0)));
+    BeamPart part = BeamPart(sheet, low, high, plane, texel, placesShown(tangent), isCut(index), rayStarts(quad));
+    return passingShare(part, index, targetOf(receiverNumber, rise, vec3(0.0)));
 }
 #endif
 

@@ -1,7 +1,7 @@
 // Where photons land on what a level map shows, and which texels around are the same surface.
 #include "include/box.glsl"
 #include "include/octahedral.glsl"
-layout(binding = 0) uniform sampler2D tangentPlanes; // RGBA32F (levelmap/tangent_planes.comp)
+layout(binding = 0) uniform sampler2D tangentPlanes; // RGBA32F (caustics/tangent_planes.comp)
 layout(binding = 2) uniform sampler2D normalMap;     // RG16
 
 // The plane of the surface in a texel: depth at its middle, m, and how it grows by m.

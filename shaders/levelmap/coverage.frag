@@ -2,19 +2,10 @@
 // In: position and normal map. Out, R8: 1 (cleared to 0: no receiver).
 #include "include/level_map_texel.glsl"
 #include "include/octahedral.glsl"
+#include "include/same_surface.glsl"
 layout(binding = 5) uniform sampler2D positionMap; // RG32F (level_map.frag)
 layout(binding = 6) uniform sampler2D normalMap;   // RG16
 layout(location = 0) out float outCovered;
-
-const float steepest = 20.0;  // m by m; a face along the axis has no depth at a place
-const float mostCrease = 4.0; // m by m between two faces within a texel; beyond, light is not shared
-
-// Depth by metre along u and w of a face.
-vec2 depthGradient(vec3 normal) {
-    float along = dot(normal, boxT.xyz);
-    float divisor = abs(along) > 1.0 / steepest ? along : (along < 0.0 ? -1.0 : 1.0) / steepest;
-    return -vec2(dot(normal, boxU.xyz), dot(normal, boxW.xyz)) / divisor;
-}
 
 // Whether the face at `local` lies where the one at the texel's middle goes on to, give or take what a crease in between
 // can make. What else a texel holds, behind a rim or beyond a crease, has no light of its own in the map.
@@ -27,7 +18,7 @@ bool showsMiddle(vec3 local) {
     vec2 own = depthGradient(octahedralDecode(texelFetch(normalMap, texel, 0).xy));
     float crease = distance(own, depthGradient(fragmentIn.faceNormal));
     float expected = position.x + dot(own, place - vec2(texel) - 0.5) * boxExtent.w;
-    return crease <= mostCrease && abs(local.z - expected) <= boxExtent.w * (0.5 + crease);
+    return crease <= mostCrease && abs(local.z - expected) <= creaseSlack(crease);
 }
 
 void main() {

@@ -32,7 +32,7 @@ class BeamCulling {
     /// Four uints: work groups of an indirect dispatch (x, y, z), tiles; beams in them; the tiles.
     const gl::Buffer& kept() const { return _kept; }
     /// Whose depths a pyramid holds: reference planes (levelmap/PlaneDepths.h), or as exact beams count them
-    /// (levelmap/TangentPlanes.h).
+    /// (caustics/TangentPlanes.h).
     enum class Depths { Planes, Leaning };
     /// Lists the tiles that may send a beam to the map; all others send none.
     void cull(const BeamTiles& tiles, const LevelMap& map, const gl::Texture& pyramid, Depths depths);

@@ -7,9 +7,9 @@
 #include "caustics/CausticMap.h"
 #include "caustics/FluxSums.h"
 #include "caustics/LargeBeams.h"
+#include "caustics/TangentPlanes.h"
 #include "gl/Program.h"
 #include "levelmap/LevelMap.h"
-#include "levelmap/TangentPlanes.h"
 #include "occlusion/Occluders.h"
 #include "water/Beams.h"
 

@@ -3,9 +3,9 @@
 #include <optional>
 
 #include "caustics/CausticMap.h"
+#include "caustics/TangentPlanes.h"
 #include "gl/Program.h"
 #include "levelmap/LevelMap.h"
-#include "levelmap/TangentPlanes.h"
 #include "occlusion/Occluders.h"
 #include "scene/Scene.h"
 #include "water/Beams.h"

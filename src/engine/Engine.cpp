@@ -306,7 +306,12 @@ void Engine::updateTangentPlanes(ReceiverMaps& maps) {
         return;
     }
     Scope scope(_timers, "tangent planes");
-    _tangentPlanesPass.update(maps.tangents, maps.level);
+    const Occluders* occluders = _scene.caustics.method == Method::ExactBeam ? occludersOf(maps) : nullptr;
+    std::optional<TangentPlanesPass::Rims> rims;
+    if (occluders)
+        rims.emplace(
+            TangentPlanesPass::Rims{*occluders, _lights[std::size_t(maps.light)].beams, maps.receiver});
+    _tangentPlanesPass.update(maps.tangents, maps.level, rims ? &*rims : nullptr);
 }
 
 void Engine::updatePlaneDepths(ReceiverMaps& maps) {

@@ -1,6 +1,7 @@
 #include "reference/SceneGeometry.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 
@@ -190,9 +191,11 @@ void SceneGeometry::filterShown(const RTCFilterFunctionNArguments* arguments) {
     for (unsigned i = 0; i < arguments->N; ++i) {
         if (arguments->valid[i] == 0) continue;
         RTCRayN* ray = arguments->ray;
-        const double y =
-            double(RTCRayN_org_y(ray, arguments->N, i)) +
-            double(RTCRayN_tfar(ray, arguments->N, i)) * double(RTCRayN_dir_y(ray, arguments->N, i));
+        const double start = double(RTCRayN_org_y(ray, arguments->N, i)),
+                     way = double(RTCRayN_tfar(ray, arguments->N, i));
+        // A sheet in the level itself is shown, all of it.
+        const double rounding = 4e-7 * (std::abs(start) + way);
+        const double y = start + way * double(RTCRayN_dir_y(ray, arguments->N, i)) - rounding;
         const unsigned face = RTCHitN_primID(arguments->hit, arguments->N, i);
         const glm::dvec3 across = shown.shape->across(face);
         const double size = glm::length(across);

@@ -1,15 +1,29 @@
-#include "levelmap/TangentPlanes.h"
+#include "caustics/TangentPlanes.h"
+
+#include <string>
+#include <vector>
 
 namespace limpid {
 
 namespace {
+enum Uniform { ReceiverNumber };
 constexpr glm::ivec2 groupSize{8, 8};
 } // namespace
 
 TangentPlanesPass::TangentPlanesPass(gl::Context& context)
-    : _context(context), _planes({"levelmap/tangent_planes.comp"}) {}
+    : _context(context), _planes({"caustics/tangent_planes.comp"}) {}
 
-void TangentPlanesPass::update(TangentPlanes& planes, const LevelMap& map) {
+const gl::Program& TangentPlanesPass::programFor(const Rims* rims) {
+    if (!rims) return _planes;
+    const std::vector<std::string> defines{"RIMS"};
+    if (!_planesWithRims) _planesWithRims = gl::Program({"caustics/tangent_planes.comp"}, defines);
+    _planesWithRims->set(ReceiverNumber, rims->receiverNumber);
+    rims->occluders.bind();
+    rims->beams.frame.bindUniform(0);
+    return *_planesWithRims;
+}
+
+void TangentPlanesPass::update(TangentPlanes& planes, const LevelMap& map, const Rims* rims) {
     const glm::ivec2 size = map.frame.size;
     if (!planes.planes.id() || planes.planes.size() != size) {
         gl::Ledger& ledger = _context.ledger();
@@ -21,7 +35,7 @@ void TangentPlanesPass::update(TangentPlanes& planes, const LevelMap& map) {
     map.normal.bind(2);
     planes.planes.bindImage(0, GL_WRITE_ONLY);
     planes.depthPyramid.bindImage(1, GL_WRITE_ONLY);
-    _planes.dispatch2D(size, groupSize);
+    programFor(rims).dispatch2D(size, groupSize);
     _pyramid.reduce(planes.depthPyramid);
 }
 
