@@ -2,6 +2,7 @@
 #include "caustics/DrawnPlanes.h"
 #include "caustics/ExactBeams.h"
 #include "caustics/Volumetric.h"
+#include "gl/Guard.h"
 
 namespace limpid::bench {
 
@@ -66,9 +67,19 @@ void addVolumetric(Bench& bench) {
         });
 }
 
+/// What a host pays once for each call (gl/Guard.h): its state out and in again, with nothing drawn between.
+void addGuard() {
+    benchmark::RegisterBenchmark("guard", [](benchmark::State& state) {
+        gl::Context host(gl::Context::Current{}, {});
+        for (auto _ : state)
+            const gl::Guard guard(host);
+    })->Unit(benchmark::kMicrosecond);
+}
+
 } // namespace
 
 void addPasses(Bench& bench) {
+    addGuard();
     addWater(bench);
     addLevelMaps(bench);
     addDrawnPlanes(bench);

@@ -1,6 +1,6 @@
 #include "caustics/PlaneDrawer.h"
 
-#include "gl/Adding.h"
+#include "gl/Blending.h"
 
 namespace limpid {
 

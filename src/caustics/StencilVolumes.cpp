@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "gl/Adding.h"
+#include "gl/Blending.h"
 
 namespace limpid {
 
@@ -58,10 +58,10 @@ void StencilVolumes::findSubVolumes(const LevelMap& map, const Beams& beams, con
 void StencilVolumes::drawObjects(const LevelMap& map) const {
     map.position.bind(Position);
     glDepthFunc(GL_ALWAYS);
-    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    glColorMaski(0, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     _objects.use();
     glDrawArrays(GL_TRIANGLES, 0, 3);
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glColorMaski(0, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glDepthFunc(GL_LESS);
 }
 
@@ -84,11 +84,9 @@ void StencilVolumes::drawSubVolumes(const Beams& beams, const Water& water) cons
 void StencilVolumes::multiply(const LevelMap& map) const {
     map.diffuse.bind(PlanesOrDiffuse);
     map.normal.bind(Normal);
-    glEnable(GL_BLEND);
-    glBlendFunc(GL_ZERO, GL_SRC_COLOR);
+    const gl::Multiplying multiplying;
     _light.use();
     glDrawArrays(GL_TRIANGLES, 0, 3);
-    glDisable(GL_BLEND);
 }
 
 void StencilVolumes::fill(CausticMap& caustics, const LevelMap& map, const PlaneDepths& depths,

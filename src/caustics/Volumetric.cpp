@@ -1,5 +1,7 @@
 #include "caustics/Volumetric.h"
 
+#include "gl/Blending.h"
+
 namespace limpid {
 
 namespace {
@@ -75,10 +77,8 @@ void Volumetric::multiply(int plane) {
     _multiply.set(CausticsPlane, plane);
     _multiply.use();
     _noVertices.bind();
-    glEnable(GL_BLEND);
-    glBlendFunc(GL_ZERO, GL_SRC_COLOR);
+    const gl::Multiplying multiplying;
     glDrawArrays(GL_TRIANGLES, 0, 3);
-    glDisable(GL_BLEND);
 }
 
 void Volumetric::combine(CausticMap& caustics, LevelMap& map, const Slices& slices) {

@@ -5,6 +5,7 @@
 
 #include "engine/Framing.h"
 #include "engine/Limits.h"
+#include "gl/Guard.h"
 #include "levelmap/MapPlan.h"
 #include "water/FlatWater.h"
 #include "water/SunDisc.h"
@@ -39,6 +40,7 @@ void Engine::requireScene(const Scene& scene, const gl::Context& context) {
 void Engine::setScene(Scene scene) {
     frameCamera(scene);
     requireScene(scene, _context);
+    const gl::Guard guard(_context);
     const WaterPatch patch = coveringPatch(scene);
     setReceivers(scene);
     _patch = patch;
@@ -143,6 +145,7 @@ void Engine::freeMaps() {
 }
 
 void Engine::updateCaustics(double time) {
+    const gl::Guard guard(_context);
     updateSurface(time);
     for (ReceiverMaps& maps : _maps)
         updateMaps(maps);
@@ -333,6 +336,7 @@ void Engine::drawSlices(ReceiverMaps& maps) {
 }
 
 gl::Texture Engine::coverage(const ReceiverMaps& maps) {
+    const gl::Guard guard(_context);
     Scope scope(_timers, "coverage");
     if (!_coveragePass) _coveragePass = std::make_unique<CoveragePass>(_context);
     return _coveragePass->draw(maps.level, _receivers[std::size_t(maps.receiver)],

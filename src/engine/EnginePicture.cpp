@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "engine/Engine.h"
+#include "gl/Guard.h"
 #include "levelmap/MapPlan.h"
 #include "view/Visibility.h"
 #include "water/FlatWater.h"
@@ -111,11 +112,13 @@ void Engine::moveWater(double time) {
 }
 
 void Engine::updateForPictures(double time) {
+    const gl::Guard guard(_context);
     updateCaustics(causticsTime(time));
     moveWater(time);
 }
 
 Picture Engine::render(double time, glm::ivec2 size) {
+    const gl::Guard guard(_context);
     updateSurface(causticsTime(time));
     fitMaps(size);
     const std::vector<bool> shown = shownMaps(size);
@@ -170,17 +173,20 @@ auto Engine::withPicture(glm::ivec2 size, bool goesOn, Use&& use) try {
 }
 
 Picture Engine::draw(glm::ivec2 size) {
+    const gl::Guard guard(_context);
     return withPicture(size, false,
                        [&](PicturePass& pass, const auto& inputs) { return pass.draw(inputs, size); });
 }
 
 PicturePass::Sketch Engine::beginPicture(glm::ivec2 size, int perPixel) {
+    const gl::Guard guard(_context);
     return withPicture(size, false, [&](PicturePass& pass, const auto& inputs) {
         return pass.begin(inputs, size, perPixel);
     });
 }
 
 void Engine::drawRows(const PicturePass::Sketch& sketch, glm::ivec2 rows) {
+    const gl::Guard guard(_context);
     withPicture(sketch.samples().size() / sketch.perPixel(), true,
                 [&](PicturePass& pass, const auto& inputs) { pass.drawRows(inputs, sketch, rows); });
 }

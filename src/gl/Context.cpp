@@ -5,6 +5,7 @@
 
 #include "core/Error.h"
 #include "gl/Api.h"
+#include "gl/CurrentContext.h"
 
 namespace limpid::gl {
 
@@ -129,7 +130,7 @@ DeviceInfo queryInfo(EGLDisplay display, const std::string& platform) {
     info.renderer = glString(GL_RENDERER);
     info.version = glString(GL_VERSION);
     info.glsl = glString(GL_SHADING_LANGUAGE_VERSION);
-    const char* egl = eglQueryString(display, EGL_VERSION);
+    const char* egl = display == EGL_NO_DISPLAY ? nullptr : eglQueryString(display, EGL_VERSION);
     info.egl = egl ? egl : "";
     info.platform = platform;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &info.maxTextureSize);
@@ -174,17 +175,18 @@ Context::Context(const ContextOptions& options)
     if (_egl->context == EGL_NO_CONTEXT)
         throw GraphicsError(fmt::format("EGL: expected a device with OpenGL 4.5 core, found {} without it",
                                         listOf(described)));
+    glDisable(GL_DITHER); // the same bits with every driver
     listenAndQuery(options, _egl->platform);
 }
 
 Context::Context(Current, const ContextOptions& options)
-    : _egl(std::make_unique<Egl>()), _onMessage(options.onMessage) {
-    if (eglGetCurrentContext() == EGL_NO_CONTEXT)
-        throw GraphicsError("EGL: expected a window with a context, found none");
-    if (const int version = epoxy_gl_version(); version < 45)
-        throw GraphicsError(fmt::format("expected a window with OpenGL 4.5 core, found {}.{} by {}",
-                                        version / 10, version % 10, glString(GL_RENDERER)));
-    listenAndQuery(options, "window");
+    : _egl(std::make_unique<Egl>()), _onMessage(options.onMessage), _isHosts(true) {
+    const std::optional<std::string> found = currentContext();
+    if (!found) throw GraphicsError("OpenGL: expected a context that is current on this thread, found none");
+    if (const int version = epoxy_gl_version(); version < 45 || !epoxy_is_desktop_gl())
+        throw GraphicsError(fmt::format("expected a current context with OpenGL 4.5, found {} by {}",
+                                        glString(GL_VERSION), glString(GL_RENDERER)));
+    listenAndQuery(options, "window (" + *found + ")");
 }
 
 void Context::listenAndQuery(const ContextOptions& options, const std::string& platform) {

@@ -38,11 +38,14 @@ struct DeviceInfo {
 /// An OpenGL 4.5 core context, by default without window or display, current on the thread that made it.
 /// First choice is EGL's device platform, then the surfaceless one.
 /// Throws GraphicsError when there is no EGL, no such device or no OpenGL 4.5.
+///
+/// In a context of its own every pass leaves OpenGL's state as it found it, a fresh one. In a host's, Guard
+/// (gl/Guard.h) stands between the two.
 class Context {
   public:
     explicit Context(const ContextOptions& options = {});
-    /// The context that is current already, a window's, say: it is used and stays its owner's. Throws
-    /// GraphicsError when there is none, or none with OpenGL 4.5.
+    /// The context that is current already, made by EGL, GLX or WGL for a window, say: it is used and stays
+    /// its owner's, the host's. Throws GraphicsError when there is none, or none with OpenGL 4.5.
     struct Current {};
     Context(Current, const ContextOptions& options);
     ~Context();
@@ -55,12 +58,19 @@ class Context {
     static std::vector<DeviceDescription> devices();
 
   private:
+    friend class Guard;
+    /// Whether a guard that begins has something to keep: it is the outermost one in a host's context.
+    bool enter() { return _guards++ == 0 && _isHosts; }
+    void leave() { --_guards; }
+
     struct Egl;
     void listenAndQuery(const ContextOptions& options, const std::string& platform);
     std::unique_ptr<Egl> _egl;
     std::function<void(const std::string&)> _onMessage;
     Ledger _ledger;
     DeviceInfo _info;
+    bool _isHosts = false;
+    int _guards = 0;
 };
 
 } // namespace limpid::gl

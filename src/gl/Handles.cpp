@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "core/Error.h"
+#include "gl/PixelTransfer.h"
 #include "gl/Reset.h"
 
 namespace limpid::gl {
@@ -129,7 +130,7 @@ Texture::Texture(Ledger& ledger, std::string kind, GLenum internalFormat, glm::i
 }
 
 void Texture::upload(GLenum format, GLenum type, const void* data) {
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    const PixelTransfer transfer;
     glTextureSubImage2D(_id, 0, 0, 0, _size.x, _size.y, format, type, data);
     if (_levels > 1) glGenerateTextureMipmap(_id);
 }
@@ -144,7 +145,7 @@ void Texture::setFilter(GLenum filter, GLenum wrap) {
 
 std::vector<float> Texture::readFloats(GLenum format, int channels) const {
     glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
-    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    const PixelTransfer transfer;
     std::vector<float> out(std::size_t(_size.x) * std::size_t(_size.y) * std::size_t(std::max(_layers, 1)) *
                            std::size_t(channels));
     glGetTextureImage(_id, 0, format, GL_FLOAT, GLsizei(out.size() * sizeof(float)), out.data());
@@ -198,9 +199,9 @@ Framebuffer::Framebuffer(std::string label, std::span<const Texture* const> colo
         fmt::format("{}: expected a complete framebuffer, found status {:#x}", label, status));
 }
 
-void Framebuffer::bind() const {
+void Framebuffer::bind(glm::ivec2 corner, glm::ivec2 size) const {
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, _id);
-    glViewport(0, 0, _size.x, _size.y);
+    glViewportIndexedf(0, float(corner.x), float(corner.y), float(size.x), float(size.y));
 }
 
 void Framebuffer::clearColor(int attachment, const glm::vec4& value) const {

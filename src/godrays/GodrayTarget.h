@@ -1,5 +1,5 @@
 #pragma once
-#include "gl/Adding.h"
+#include "gl/Blending.h"
 #include "gl/Context.h"
 #include "gl/NearIsOne.h"
 #include "gl/Program.h"

@@ -1,5 +1,7 @@
 #include "levelmap/LampShadow.h"
 
+#include "gl/Blending.h"
+
 namespace limpid {
 
 namespace {
@@ -18,16 +20,13 @@ void LampShadowPass::draw(gl::Texture& map, const Beams& beams, std::span<const 
     framebuffer.bind();
     framebuffer.clearColor(0, glm::vec4(1e30f));
     beams.frame.bindUniform(0);
-    glEnable(GL_BLEND);
-    glBlendEquation(GL_MIN);
+    const gl::Blending least(GL_ONE, GL_ONE, GL_MIN);
     for (int face = 0; face < 6; ++face) {
-        glViewport(side * (face % 3), side * (face / 3), side, side);
+        framebuffer.bind({side * (face % 3), side * (face / 3)}, {side, side});
         _program.set(Face, face);
         for (const ReceiverGeometry& receiver : receivers)
             receiver.draw(_program);
     }
-    glBlendEquation(GL_FUNC_ADD);
-    glDisable(GL_BLEND);
 }
 
 } // namespace limpid

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "gl/Blending.h"
+
 namespace limpid {
 
 namespace {
@@ -45,12 +47,9 @@ void SurfaceShadowPass::draw(gl::Texture& map, const Beams& beams,
     framebuffer.bind();
     framebuffer.clearColor(0, glm::vec4(0));
     beams.frame.bindUniform(0);
-    glEnable(GL_BLEND);
-    glBlendEquation(GL_MAX);
+    const gl::Blending greatest(GL_ONE, GL_ONE, GL_MAX);
     for (const ReceiverGeometry& receiver : receivers)
         receiver.draw(_program);
-    glBlendEquation(GL_FUNC_ADD);
-    glDisable(GL_BLEND);
 }
 
 } // namespace limpid

@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "gl/Adding.h"
+#include "gl/Blending.h"
 #include "gl/NearIsOne.h"
 
 namespace limpid {
@@ -32,10 +32,10 @@ Picture resolve(const std::vector<float>& samples, glm::ivec2 size) {
 /// While it lives, only these rows of what is bound can be drawn.
 struct RowsOnly {
     explicit RowsOnly(glm::ivec2 rows) {
-        glEnable(GL_SCISSOR_TEST);
-        glScissor(0, rows.x, std::numeric_limits<GLsizei>::max(), rows.y - rows.x);
+        glEnablei(GL_SCISSOR_TEST, 0);
+        glScissorIndexed(0, 0, rows.x, std::numeric_limits<GLsizei>::max(), rows.y - rows.x);
     }
-    ~RowsOnly() { glDisable(GL_SCISSOR_TEST); }
+    ~RowsOnly() { glDisablei(GL_SCISSOR_TEST, 0); }
     RowsOnly(const RowsOnly&) = delete;
     RowsOnly& operator=(const RowsOnly&) = delete;
 };

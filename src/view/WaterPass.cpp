@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "gl/Adding.h"
+#include "gl/Blending.h"
 
 namespace limpid {
 
