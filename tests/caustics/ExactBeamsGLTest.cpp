@@ -64,7 +64,7 @@ TEST_F(ExactBeamsGLTest, convergesToOneCosineWave) {
 TEST_F(ExactBeamsGLTest, everyRunGivesTheSameBits) {
     Scene scene = floorPastSphere();
     scene.water.waves = {scenes::cosine(0.01, 0.3, {1, 0.4}), scenes::noise(0.01, 0.5)};
-    const Baked a = bake(scene), b = bake(scene);
+    const Baked a = bakeAfresh(scene), b = bakeAfresh(scene);
     ASSERT_EQ(a.maps.size(), 2u);
     for (std::size_t i = 0; i < a.maps.size(); ++i)
         EXPECT_EQ(a.maps[i].irradiance, b.maps[i].irradiance);
@@ -79,7 +79,7 @@ TEST_F(ExactBeamsGLTest, lightAlongFlanksIsTheSameInEveryRun) {
     scene.water.grid = {96, 96};
     scene.caustics.mapSize = 384;
     scene.caustics.method = Method::ExactBeam;
-    const Baked a = bake(scene, true), b = bake(scene);
+    const Baked a = bakeAfresh(scene, true), b = bakeAfresh(scene);
     ASSERT_GT(a.maps.size(), 1u) << "flanks";
     for (std::size_t i = 0; i < a.maps.size(); ++i)
         EXPECT_EQ(a.maps[i].irradiance, b.maps[i].irradiance);
@@ -208,7 +208,7 @@ TEST_F(ExactBeamsGLTest, aSeamLeftOpenLetsNoLightThrough) {
 }
 
 TEST_F(ExactBeamsGLTest, restingWaterCostsNothing) {
-    Engine engine(context());
+    Engine& engine = sharedEngine();
     Scene scene = floorPastSphere();
     scene.water.waves = {scenes::cosine(0.01, 0.3, {1, 0.4})};
     engine.setScene(scene);

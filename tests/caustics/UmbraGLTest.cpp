@@ -114,7 +114,7 @@ class UmbraGLTest : public EngineGLTest {
         SCOPED_TRACE(fmt::format("{}, {} degrees from upright, map {}, amplitude {} m", methodName(method),
                                  lean, mapSize, amplitude));
         const Scene scene = sceneOf(lean, method, mapSize, amplitude);
-        Engine engine(context());
+        Engine& engine = sharedEngine();
         const Baked baked = bake(engine, scene);
         const double texel = baked.frames.at(0).texel;
         const Umbra umbra = umbraOf(scene, baked.maps.at(0), 0.75 * texel);

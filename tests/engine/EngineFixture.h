@@ -31,9 +31,16 @@ class EngineGLTest : public GLTest {
         if (audit) baked.flux = auditFlux(engine, baked.maps);
         return baked;
     }
-    static Baked bake(const Scene& scene, bool audit = false) {
-        Engine engine(context());
-        return bake(engine, scene, audit);
+    /// One for all tests of a program: each compiles its shaders for itself.
+    static Engine& sharedEngine() {
+        static Engine instance(context());
+        return instance;
+    }
+    static Baked bake(const Scene& scene, bool audit = false) { return bake(sharedEngine(), scene, audit); }
+    /// By an engine that has done nothing before.
+    static Baked bakeAfresh(const Scene& scene, bool audit = false) {
+        Engine fresh(context());
+        return bake(fresh, scene, audit);
     }
 };
 

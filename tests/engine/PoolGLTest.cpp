@@ -70,7 +70,7 @@ TEST_F(PoolGLTest, balancesOnFloorAndWalls) {
 TEST_F(PoolGLTest, balancesUnderWaves) {
     // Beams are shaded in their own direction: what a wave throws on a wall along the light does not reach
     // the floor behind it as well.
-    Engine engine(context());
+    Engine& engine = sharedEngine();
     const FluxBalance flux = bake(engine, ofBoxes(true), true).flux.at(0);
     printf("residual under waves: %.3f %% of entering; walls along the light hold %.3f %%\n",
            100 * flux.residual() / flux.entering, 100 * onFurtherMaps(engine) / flux.entering);
@@ -96,7 +96,7 @@ TEST_F(PoolGLTest, aSheetInTheWatersOwnLevelIsLitWhereWavesRiseOverIt) {
 }
 
 TEST_F(PoolGLTest, wallsAlongTheLightAreLitByWavesAlone) {
-    Engine engine(context());
+    Engine& engine = sharedEngine();
     bake(engine, ofBoxes(false));
     const double calm = onFurtherMaps(engine);
     bake(engine, ofBoxes(true));
@@ -110,7 +110,7 @@ TEST_F(PoolGLTest, bothSidesOfASheetHaveAMap) {
     Receiver wall = scenes::shape("wall", makePlane({3, 1.2}, glm::vec3(0.8f)), {0, -0.8, 0});
     wall.rotation = glm::angleAxis(glm::radians(90.0), glm::dvec3(1, 0, 0));
     scene.receivers = {scenes::floorAt(-1.5, 4), wall};
-    Engine engine(context());
+    Engine& engine = sharedEngine();
     const Baked baked = bake(engine, scene, true);
     std::vector<double> sides;
     for (std::size_t i = 0; i < baked.maps.size(); ++i)

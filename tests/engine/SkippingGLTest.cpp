@@ -73,6 +73,8 @@ TEST_F(SkippingGLTest, bakesTheSameBits) {
     standing.lights[0].type = LightType::Point;
     standing.lights[0].position = {0.6, 1.2, 0.3};
     int number = 0;
+    Engine skipping(context()), working(context());
+    working.setSkipping(false);
     for (Scene& scene : {std::ref(sea), std::ref(black), std::ref(standing)}) {
         ++number;
         for (const Method method : allMethods())
@@ -80,8 +82,6 @@ TEST_F(SkippingGLTest, bakesTheSameBits) {
                 if (fillOf(method, fill) != fill) continue;
                 scene.caustics.method = method;
                 scene.caustics.fill = fill;
-                Engine skipping(context()), working(context());
-                working.setSkipping(false);
                 const bool audit = method == Method::ExactBeam;
                 const Baked less = bake(skipping, scene, audit), all = bake(working, scene, audit);
                 expectSameMaps(less, all,

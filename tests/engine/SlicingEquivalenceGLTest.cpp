@@ -13,7 +13,7 @@ TEST_P(SlicingEquivalenceGLTest, isBitIdenticalToAllPlanes) {
     scene.lights = {scenes::sunAt(0, "noon"), scenes::sunAt(-40, "evening")};
     scene.water.grid = {64, 64};
     scene.caustics.mapSize = 128;
-    Engine engine(context());
+    Engine& engine = sharedEngine();
     for (const bool rough : {false, true}) {
         scene.water.waves = {scenes::cosine(0.003, 0.4, {1, 0.3})};
         if (rough) scene.water.waves.push_back(scenes::noise(0.02, 0.3));

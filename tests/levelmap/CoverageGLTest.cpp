@@ -21,7 +21,7 @@ class CoverageGLTest : public EngineGLTest {
         return scene;
     }
     static std::vector<float> coverageOf(const Scene& scene) {
-        Engine engine(context());
+        Engine& engine = sharedEngine();
         engine.setScene(scene);
         engine.updateCaustics(0);
         return engine.coverage(engine.maps().at(0)).readFloats(GL_RED, 1);

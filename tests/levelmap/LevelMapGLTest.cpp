@@ -68,7 +68,7 @@ TEST_F(LevelMapGLTest, halfOfASpheresPlanesAreDropped) {
 }
 
 TEST_F(LevelMapGLTest, histogramCountsEveryTexelOnce) {
-    Engine engine(context());
+    Engine& engine = sharedEngine();
     Scene scene = sphereUnderFlatWater(0, 50);
     scene.caustics.method = Method::LevelMap;
     const Baked baked = bake(engine, scene);
@@ -99,7 +99,7 @@ TEST_F(LevelMapGLTest, theThesissOwnSlicingFollowsItsThreshold) {
 TEST_F(LevelMapGLTest, memoryDoesNotGrowWithPlanes) {
     std::int64_t first = 0;
     for (const int planes : {3, 17, 101}) {
-        Engine engine(context());
+        Engine& engine = sharedEngine();
         Scene scene = sphereUnderFlatWater(0, planes);
         scene.caustics.method = Method::LevelMap;
         bake(engine, scene);
@@ -121,7 +121,7 @@ TEST_F(LevelMapGLTest, aReceiverOfNoHeightHasOnePlane) {
 }
 
 TEST_F(LevelMapGLTest, theMapShowsBaseColour) {
-    Engine engine(context());
+    Engine& engine = sharedEngine();
     Scene scene = sphereUnderFlatWater(0, 3);
     scene.receivers = {scenes::shape("red", makeSphere(0.5, {0.5f, 0.1f, 0.02f}), {0, -1, 0})};
     bake(engine, scene);

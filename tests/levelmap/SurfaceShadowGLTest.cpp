@@ -45,7 +45,7 @@ TEST_F(SurfaceShadowGLTest, anObliqueShadowIsLonger) {
 }
 
 TEST_F(SurfaceShadowGLTest, noCausticAboveTheWater) {
-    Engine engine(context());
+    Engine& engine = sharedEngine();
     const Baked baked = bake(engine, ballInWater(0));
     const MapData& ball = baked.maps.at(1);
     for (std::size_t i = 0; i < ball.normalDotAxis.size(); ++i)
@@ -57,7 +57,7 @@ TEST_F(SurfaceShadowGLTest, noCausticAboveTheWater) {
 }
 
 TEST_F(SurfaceShadowGLTest, withoutAnythingAboveThereIsNoMap) {
-    Engine engine(context());
+    Engine& engine = sharedEngine();
     Scene scene = ballInWater(0);
     scene.receivers.pop_back();
     bake(engine, scene);

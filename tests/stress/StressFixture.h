@@ -10,13 +10,7 @@ namespace limpid {
 /// The scenes of profiles/scenes/stress, made small enough for every method in a few seconds.
 class StressTest : public EngineGLTest {
   protected:
-    /// One for all tests of a program: to compile its shaders takes longer than most bakes.
-    static Engine& engine() {
-        static Engine instance(context());
-        return instance;
-    }
-    using EngineGLTest::bake;
-    static Baked bake(const Scene& scene, bool audit = false) { return bake(engine(), scene, audit); }
+    static Engine& engine() { return sharedEngine(); }
 
     static Scene stressScene(const std::string& name, int grid = 96, int mapSize = 128) {
         const std::string cells = std::to_string(grid);
