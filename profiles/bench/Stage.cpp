@@ -4,8 +4,8 @@
 
 #include "io/Gltf.h"
 #include "levelmap/SceneDepthMap.h"
+#include "plan/FlatWater.h"
 #include "scene/Shapes.h"
-#include "water/FlatWater.h"
 
 namespace limpid::bench {
 

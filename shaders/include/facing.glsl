@@ -1,5 +1,5 @@
 // Which map of a receiver a face belongs to: the main one along the light, or for faces that run along the light a
-// further one by where they look (levelmap/Facings.h).
+// further one by where they look (plan/Facings.h).
 #include "include/box.glsl"
 
 // 0 the main map; k the further map that looks against facingAxes[k - 1].

@@ -1,6 +1,6 @@
 // Height of the water surface over its mean level, and its slopes. In the language that GLSL and C++ share.
 
-// One term of the sum, prepared by water/WaveTerms: numbers that are large in world space (time, distance
+// One term of the sum, prepared by plan/WaveTerms: numbers that are large in world space (time, distance
 // from the origin) are reduced there in double precision.
 struct WaveTerm {
     vec4 shape;  // amplitude m; wavenumber 1/m (noise: cells per metre); phase, radians (noise: time in its cell, [0, 1))

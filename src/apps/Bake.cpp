@@ -2,6 +2,7 @@
 
 #include "apps/BakedMaps.h"
 #include "apps/Common.h"
+#include "apps/EngineUse.h"
 #include "engine/Engine.h"
 #include "io/BakedFolder.h"
 #ifdef LIMPID_WITH_REFERENCE

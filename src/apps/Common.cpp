@@ -8,7 +8,6 @@
 #include <unistd.h>
 
 #include "core/Error.h"
-#include "engine/Warnings.h"
 #include "io/Files.h"
 
 namespace limpid::apps {
@@ -81,16 +80,6 @@ Scene loadScene(const CommonOptions& options) {
     return loadDocument(options).scene();
 }
 
-gl::ContextOptions contextOptions(const CommonOptions& options) {
-    gl::ContextOptions context;
-    context.device = options.device;
-    context.memory = std::int64_t(options.gpuMemory * (1 << 20));
-#ifndef NDEBUG
-    context.debug = true;
-#endif
-    return context;
-}
-
 void requireTime(double seconds) {
     if (!(std::abs(seconds) <= 1e9))
         throw InputError(fmt::format("--time: expected seconds from -1e9 to 1e9, found {}", seconds));
@@ -109,12 +98,6 @@ glm::ivec2 parseSize(const std::string& text) {
     throw InputError(fmt::format("--size: expected WxH with 1 to 7680 pixels each, found \"{}\"", text));
 }
 
-void printWarnings(const Engine& engine, const CommonOptions& options) {
-    if (options.quiet) return;
-    for (const std::string& warning : sceneWarnings(engine.scene(), engine.waterPatch()))
-        fmt::print(stderr, "limpid: warning: {}\n", warning);
-}
-
 void printFlux(const io::Bake& bake) {
     for (const io::BakedLight& light : bake.lights) {
         if (!light.flux) continue;
@@ -130,23 +113,6 @@ void printFlux(const io::Bake& bake) {
             light.light, flux.entering, flux.deposited, flux.absorbed, flux.scattered, flux.missed,
             flux.rejected, flux.residual, percent(flux.residual), error);
     }
-}
-
-void printWork(Engine& engine, gl::Context& context, std::FILE* out) {
-    fmt::print(out, "GPU: {}\n", context.info().renderer);
-    for (const auto& [pass, ms] : engine.timers().collect())
-        fmt::print(out, "  {:<18} {:10.2f} ms\n", pass, ms);
-    for (const ReceiverMaps& maps : engine.maps())
-        fmt::print(out, "  {} in {}: {} of {} planes\n",
-                   engine.scene().receivers[std::size_t(maps.receiver)].name,
-                   engine.scene().lights[std::size_t(maps.light)].name, maps.level.planes.size(),
-                   maps.level.requestedPlanes);
-    for (const auto& [kind, count] : engine.skipped().byKind())
-        fmt::print(out, "  {:<22} {:6} skipped\n", kind, count);
-    for (const auto& [kind, bytes] : context.ledger().byKind())
-        fmt::print(out, "  {:<18} {:10.2f} MiB\n", kind, double(bytes) / (1 << 20));
-    fmt::print(out, "  {:<18} {:10.2f} MiB, at most {:.2f} MiB\n", "total",
-               double(context.ledger().total()) / (1 << 20), double(context.ledger().peak()) / (1 << 20));
 }
 
 bool onPath(const std::string& program) {

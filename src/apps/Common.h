@@ -1,13 +1,10 @@
 #pragma once
-#include <cstdio>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 
-#include "engine/Engine.h"
-#include "gl/Context.h"
 #include "io/BakedFolder.h"
 #include "io/SceneDocument.h"
 
@@ -36,20 +33,11 @@ void addCommonOptions(CLI::App& command, CommonOptions& options);
 Scene loadScene(const CommonOptions& options);
 io::SceneDocument loadDocument(const CommonOptions& options); ///< the same, to be written again
 
-/// Throws GraphicsError. Debug builds check every call.
-gl::ContextOptions contextOptions(const CommonOptions& options);
-
 /// Throws InputError unless `seconds` is a number that a scene can be at.
 void requireTime(double seconds);
 
 /// "WxH" in pixels. Throws InputError.
 glm::ivec2 parseSize(const std::string& text);
-
-/// The scene's warnings on stderr, unless quiet.
-void printWarnings(const Engine& engine, const CommonOptions& options);
-
-/// GPU time by pass, planes, GPU bytes by kind.
-void printWork(Engine& engine, gl::Context& context, std::FILE* out = stdout);
 
 /// Whether a program of that name is on the path.
 bool onPath(const std::string& program);

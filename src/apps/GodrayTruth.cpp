@@ -7,10 +7,10 @@
 
 #include "io/Files.h"
 #include "io/Images.h"
-#include "levelmap/MapPlan.h"
+#include "plan/FlatWater.h"
+#include "plan/MapPlan.h"
 #include "reference/Scattering.h"
 #include "scene/Fingerprint.h"
-#include "water/FlatWater.h"
 #endif
 
 namespace limpid::apps {

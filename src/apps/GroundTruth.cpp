@@ -4,7 +4,7 @@
 
 #include "scene/Fingerprint.h"
 #ifdef LIMPID_WITH_REFERENCE
-#include "apps/ReferenceJob.h"
+#include "reference/ReferenceJob.h"
 #endif
 
 namespace limpid::apps {
@@ -43,7 +43,7 @@ bool canTraceGroundTruth() {
 
 std::uint64_t GroundTruth::sizesOf(const Scene& scene) const {
     std::uint64_t sizes = 0;
-    for (const reference::MapRequest& map : referenceJob(scene, _time).maps)
+    for (const reference::MapRequest& map : reference::referenceJob(scene, _time).maps)
         sizes = (sizes * 65599 + std::uint64_t(map.frame.size.x)) * 65599 + std::uint64_t(map.frame.size.y);
     return sizes;
 }
@@ -51,8 +51,8 @@ std::uint64_t GroundTruth::sizesOf(const Scene& scene) const {
 io::Bake GroundTruth::trace(const Scene& scene) const {
     reference::TraceOptions how;
     how.photons = _photons;
-    return traceBake(referenceJob(scene, _time), how,
-                     fmt::format("light traced for {}, percent", receiverNames(scene)), _quiet);
+    return reference::traceBake(reference::referenceJob(scene, _time), how,
+                                fmt::format("light traced for {}, percent", receiverNames(scene)), _quiet);
 }
 
 #else

@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/Common.h"
+#include "apps/EngineUse.h"
 
 namespace limpid::apps {
 

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "apps/Common.h"
+#include "apps/EngineUse.h"
 #include "apps/GroundTruth.h"
 #include "apps/Machine.h"
 #include "apps/ProfileOutput.h"

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include "apps/Common.h"
-#include "apps/ReferenceJob.h"
-#include "engine/Warnings.h"
 #include "io/BakedFolder.h"
+#include "plan/Warnings.h"
+#include "reference/ReferenceJob.h"
 
 namespace limpid::apps {
 
@@ -43,10 +43,10 @@ void runReference(const ReferenceOptions& options) {
     requireTime(options.time);
     const Scene scene = loadScene(options.common);
     io::prepareFolder(options.output);
-    const reference::TraceJob job = referenceJob(scene, options.time);
+    const reference::TraceJob job = reference::referenceJob(scene, options.time);
     if (!options.common.quiet) printWarnings(scene, coveringPatch(scene));
     const reference::TraceOptions how{options.photons, options.seed, options.threads, {}};
-    io::Bake bake = traceBake(job, how, "light traced, percent", options.common.quiet);
+    io::Bake bake = reference::traceBake(job, how, "light traced, percent", options.common.quiet);
     bake.input = options.common.input;
     io::writeBake(options.output, bake);
     if (!options.common.quiet) printResult(bake);

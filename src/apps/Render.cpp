@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "apps/Common.h"
+#include "apps/EngineUse.h"
 #include "apps/Frames.h"
 #include "core/Error.h"
 #include "core/Progress.h"

@@ -1,6 +1,7 @@
 #include <chrono>
 
 #include "apps/Common.h"
+#include "apps/EngineUse.h"
 #include "core/Error.h"
 #include "io/Outputs.h"
 #include <fmt/format.h>

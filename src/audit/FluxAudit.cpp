@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "audit/FaceSorting.h"
+#include "reference/FaceSorting.h"
 #include "reference/Parallel.h"
 #include "reference/Random.h"
 #include "reference/Source.h"
@@ -138,7 +138,7 @@ ShownSurface shownSurface(const Engine& engine, const ReceiverMaps& maps, const 
     frame.box.corner -= engine.origin();
     ShownSurface shown{maps.receiver,
                        maps.level.facing,
-                       sortingOf(*maps.facings),
+                       reference::sortingOf(*maps.facings),
                        frame,
                        engine.scene().water.level - engine.origin().y,
                        data.position,

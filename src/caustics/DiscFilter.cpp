@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "water/FlatWater.h"
-#include "water/SunDisc.h"
+#include "plan/FlatWater.h"
+#include "plan/SunDisc.h"
 
 namespace limpid {
 

@@ -5,8 +5,8 @@
 #include "gl/Context.h"
 #include "gl/Handles.h"
 #include "levelmap/LevelMap.h"
+#include "plan/FlatWater.h"
 #include "scene/Scene.h"
-#include "water/FlatWater.h"
 
 namespace limpid {
 

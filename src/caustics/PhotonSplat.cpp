@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "caustics/FluxSums.h"
-#include "water/FlatWater.h"
+#include "plan/FlatWater.h"
 
 namespace limpid {
 

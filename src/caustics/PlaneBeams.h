@@ -9,8 +9,8 @@
 #include "gl/Program.h"
 #include "levelmap/LevelMap.h"
 #include "levelmap/PlaneDepths.h"
+#include "plan/FlatWater.h"
 #include "water/Beams.h"
-#include "water/FlatWater.h"
 
 namespace limpid {
 

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/Framing.h"
 #include "engine/Limits.h"
 #include "gl/Guard.h"
-#include "levelmap/MapPlan.h"
-#include "water/FlatWater.h"
-#include "water/SunDisc.h"
-#include "water/WaveTerms.h"
+#include "plan/FlatWater.h"
+#include "plan/Framing.h"
+#include "plan/MapPlan.h"
+#include "plan/SunDisc.h"
+#include "plan/WaveTerms.h"
 
 namespace limpid {
 

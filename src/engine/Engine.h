@@ -29,10 +29,10 @@
 #include "levelmap/SurfaceShadow.h"
 #include "occlusion/Occluders.h"
 #include "occlusion/TakenLight.h"
+#include "plan/LampPatch.h"
 #include "scene/Scene.h"
 #include "view/Picture.h"
 #include "water/Beams.h"
-#include "water/LampPatch.h"
 #include "water/WaterSurface.h"
 
 namespace limpid {

@@ -3,11 +3,11 @@
 
 #include "engine/Engine.h"
 #include "gl/Guard.h"
-#include "levelmap/MapPlan.h"
+#include "plan/FlatWater.h"
+#include "plan/MapPlan.h"
+#include "plan/WaveTerms.h"
 #include "view/Visibility.h"
-#include "water/FlatWater.h"
 #include "water/WaterSurface.h"
-#include "water/WaveTerms.h"
 
 /// The half of the engine that makes pictures.
 namespace limpid {

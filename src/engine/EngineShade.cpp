@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "water/FlatWater.h"
+#include "plan/FlatWater.h"
 
 /// What stands in light's way, and what of it a method asks.
 namespace limpid {

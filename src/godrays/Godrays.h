@@ -7,9 +7,9 @@
 #include "gl/Program.h"
 #include "levelmap/ReceiverGeometry.h"
 #include "levelmap/SceneDepthMap.h"
+#include "plan/FlatWater.h"
 #include "scene/Scene.h"
 #include "water/Beams.h"
-#include "water/FlatWater.h"
 
 namespace limpid {
 

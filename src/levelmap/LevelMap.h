@@ -5,9 +5,9 @@
 #include "gl/Context.h"
 #include "gl/Handles.h"
 #include "gl/Program.h"
-#include "levelmap/Facings.h"
 #include "levelmap/ReceiverGeometry.h"
 #include "levelmap/ReferencePlanes.h"
+#include "plan/Facings.h"
 #include "water/Beams.h"
 
 namespace limpid {

@@ -59,10 +59,4 @@ class ReceiverGeometry {
     bool _closed = false, _partlySheer = false;
 };
 
-enum class Side { Below, Above };
-
-/// The corners of what lies on one side of `level`: vertices, and where edges cross it. Empty if nothing
-/// does.
-std::vector<glm::dvec3> pointsOfSide(const Receiver& receiver, double level, Side side);
-
 } // namespace limpid

@@ -1,6 +1,6 @@
 #include "levelmap/SceneDepthMap.h"
 
-#include "water/FlatWater.h"
+#include "plan/FlatWater.h"
 
 namespace limpid {
 
@@ -8,18 +8,6 @@ namespace {
 enum Uniform { ReceiverNumber = 1, Farthest, MapSize };
 constexpr GLuint unit = 1;
 } // namespace
-
-glm::vec4 sceneDepthRect(const Light& light, const Water& water, std::span<const glm::dvec3> points,
-                         const glm::dvec3& origin) {
-    Bounds entries;
-    for (const glm::dvec3& p : points)
-        entries.add(entryPoint(light, water, p) - origin);
-    if (entries.empty()) return {0, 0, 1, 1};
-    const glm::dvec2 size(entries.size().x, entries.size().z);
-    const glm::dvec2 grown = glm::max(size * 1.01, glm::dvec2(1e-4 * std::max({size.x, size.y, 1e-6})));
-    const glm::dvec2 corner = glm::dvec2(entries.center().x, entries.center().z) - 0.5 * grown;
-    return glm::vec4(corner, grown);
-}
 
 void SceneDepth::bind() const {
     first.bind(unit);

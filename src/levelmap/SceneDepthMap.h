@@ -9,12 +9,6 @@
 
 namespace limpid {
 
-/// The part of the flat surface where the mean light enters that reaches any of `points` (submerged, in the
-/// world), as LightFrameData wants it: x, z of a corner and extents, m from the scene's origin. A margin
-/// keeps the outermost points inside.
-glm::vec4 sceneDepthRect(const Light& light, const Water& water, std::span<const glm::dvec3> points,
-                         const glm::dvec3& origin);
-
 /// What one light hits first, seen along the mean light from where it enters the flat surface. Row 0 is at
 /// the rectangle's corner; depths are metres of water along the mean light.
 struct SceneDepth {

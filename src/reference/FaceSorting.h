@@ -4,6 +4,8 @@
 
 #include <glm/glm.hpp>
 
+#include "plan/Facings.h"
+
 namespace limpid::reference {
 
 /// Which of a receiver's maps holds a face, as the bake sorts them: faces that run along the mean light go to
@@ -28,5 +30,10 @@ struct FaceSorting {
         return mapOf(normal) == facing || (sheet && mapOf(-normal) == facing);
     }
 };
+
+/// The bake's sorting of faces over maps, as ray tracers read it.
+inline FaceSorting sortingOf(const Facings& facings) {
+    return {facings.light, Facings::steep, facings.axes, facings.used, facings.sheet};
+}
 
 } // namespace limpid::reference

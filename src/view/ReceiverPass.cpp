@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "water/FlatWater.h"
+#include "plan/FlatWater.h"
 
 namespace limpid {
 

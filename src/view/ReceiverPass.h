@@ -7,6 +7,7 @@
 #include "gl/Program.h"
 #include "levelmap/LevelMap.h"
 #include "levelmap/ReceiverGeometry.h"
+#include "plan/Sides.h"
 #include "scene/Scene.h"
 #include "water/Beams.h"
 

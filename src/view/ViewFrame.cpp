@@ -6,7 +6,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "core/Optics.h"
-#include "water/WaveTerms.h"
+#include "plan/WaveTerms.h"
 
 namespace limpid {
 

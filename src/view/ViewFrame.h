@@ -2,16 +2,12 @@
 #include <glm/glm.hpp>
 
 #include "levelmap/ReceiverGeometry.h"
+#include "plan/FlatWater.h"
+#include "plan/Sides.h"
 #include "scene/Scene.h"
-#include "water/FlatWater.h"
 #include "water/WaterSurface.h"
 
 namespace limpid {
-
-/// The receivers' parts on each side of the water, in the world, m. Either may be empty.
-struct SideBounds {
-    Bounds dry, wet;
-};
 
 /// The camera and what it sees everything through, as shaders/include/view.glsl reads it (std140). Positions
 /// in m from the scene's origin, radiance in W/(m² sr).

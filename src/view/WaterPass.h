@@ -3,10 +3,10 @@
 
 #include "gl/Context.h"
 #include "gl/Program.h"
+#include "plan/FlatWater.h"
 #include "scene/Scene.h"
 #include "view/ViewFrame.h"
 #include "water/Beams.h"
-#include "water/FlatWater.h"
 #include "water/WaterSurface.h"
 
 namespace limpid {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "water/FlatWater.h"
+#include "plan/FlatWater.h"
 
 namespace limpid {
 
@@ -10,22 +10,6 @@ namespace {
 constexpr int groupSize = 64;
 enum Uniform { Count };
 } // namespace
-
-LightFrameData lightFrame(const Light& light, const Water& water, const glm::dvec3& origin) {
-    LightFrameData frame;
-    frame.position = glm::vec4(light.position - origin, light.type == LightType::Point ? 1 : 0);
-    const bool enters = entersWater(light, water);
-    if (light.type == LightType::Directional && enters) {
-        frame.direction = glm::vec4(glm::normalize(light.direction), 0);
-        frame.refracted = glm::vec4(refractedAt(light, water, {}), 0);
-    }
-    if (light.isSpot()) {
-        frame.direction = glm::vec4(glm::normalize(light.direction), 0);
-        frame.cone = {std::cos(glm::radians(light.innerCone)), std::cos(glm::radians(light.outerCone)), 0, 0};
-    }
-    frame.surface = glm::vec4(water.level - origin.y, water.ior, 0, 0);
-    return frame;
-}
 
 BeamTracer::BeamTracer(gl::Context& context)
     : _context(context), _rays({"water/beams.comp"}), _flux({"water/beam_flux.comp"}) {}

@@ -2,23 +2,11 @@
 #include "gl/Context.h"
 #include "gl/Handles.h"
 #include "gl/Program.h"
+#include "plan/LightFrame.h"
 #include "scene/Scene.h"
 #include "water/WaterSurface.h"
 
 namespace limpid {
-
-/// A light over the water, as shaders/include/light.glsl reads it (std140). Positions in m from the scene's
-/// origin.
-struct LightFrameData {
-    glm::vec4 position{0};
-    glm::vec4 direction{0, -1, 0, 0};
-    glm::vec4 refracted{0, -1, 0, 0};
-    glm::vec4 sceneDepthRect{0, 0, 1, 1};
-    glm::vec4 surface{0, 1.333, 0, 0};
-    glm::vec4 surfaceShadowRect{0};
-    glm::vec4 cone{-2, -3, 0, 0};
-};
-LightFrameData lightFrame(const Light& light, const Water& water, const glm::dvec3& origin);
 
 /// Texture unit of the surface shadow map, as shaders/include/surface_shadow.glsl has it.
 inline constexpr GLuint surfaceShadowUnit = 3;

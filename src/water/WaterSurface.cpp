@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "water/WaveTerms.h"
+#include "plan/WaveTerms.h"
 
 namespace limpid {
 

@@ -4,8 +4,8 @@
 #include "gl/Context.h"
 #include "gl/Handles.h"
 #include "gl/Program.h"
+#include "plan/FlatWater.h"
 #include "scene/Scene.h"
-#include "water/FlatWater.h"
 #include "water/HeightMaps.h"
 
 namespace limpid {

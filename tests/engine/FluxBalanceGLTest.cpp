@@ -82,7 +82,7 @@ struct LampOverFloor {
     }
 };
 
-// A lamp 1 mm above the water, whose quads are 60 mm wide: its beams begin in finer ones (water/LampPatch.h).
+// A lamp 1 mm above the water, whose quads are 60 mm wide: its beams begin in finer ones (plan/LampPatch.h).
 TEST_F(FluxBalanceGLTest, aLampThatAlmostTouchesTheWater) {
     const LampOverFloor truth{0.001, 1, 1.333};
     Scene scene;

@@ -6,12 +6,12 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/Warnings.h"
 #include "io/SceneParser.h"
 #include "io/TempFolder.h"
+#include "plan/FlatWater.h"
+#include "plan/Warnings.h"
+#include "plan/WaveTerms.h"
 #include "scene/MeshBuilder.h"
-#include "water/FlatWater.h"
-#include "water/WaveTerms.h"
 
 namespace limpid::io {
 namespace {

@@ -2,7 +2,7 @@
 // README says so, one metre long, standing on y = 0.
 
 #include "io/Gltf.h"
-#include "levelmap/Facings.h"
+#include "plan/Facings.h"
 
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>

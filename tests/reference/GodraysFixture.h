@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "engine/EngineFixture.h"
-#include "levelmap/MapPlan.h"
+#include "plan/FlatWater.h"
+#include "plan/MapPlan.h"
 #include "reference/Scattering.h"
-#include "water/FlatWater.h"
 
 namespace limpid {
 

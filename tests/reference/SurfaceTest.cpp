@@ -5,7 +5,7 @@
 
 #include "core/Optics.h"
 #include "engine/Scenes.h"
-#include "water/WaveTerms.h"
+#include "plan/WaveTerms.h"
 
 namespace limpid {
 namespace {

@@ -2,8 +2,8 @@
 #include <cmath>
 #include <cstdint>
 
-#include "apps/ReferenceJob.h"
 #include "engine/Scenes.h"
+#include "reference/ReferenceJob.h"
 
 /// Ground truth in tests: what is traced, and closed forms that share no line with it.
 namespace limpid::test {
@@ -32,7 +32,7 @@ struct Traced {
 };
 
 inline Traced trace(const Scene& scene, std::int64_t photons, std::uint64_t seed = 1, int threads = 2) {
-    Traced traced{apps::referenceJob(scene, 0), {}};
+    Traced traced{reference::referenceJob(scene, 0), {}};
     traced.result = reference::traceLight(traced.job, {photons, seed, threads, {}});
     return traced;
 }

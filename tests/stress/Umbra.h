@@ -3,8 +3,8 @@
 #include <optional>
 #include <string>
 
-#include "apps/ReferenceJob.h"
 #include "engine/EngineFixture.h"
+#include "reference/ReferenceJob.h"
 
 /// What the flux balance cannot show, for it follows the very beams that maps are filled with: that too much
 /// or too little enters, and light where there can be none. Both are told by the ray-traced reference.
@@ -12,7 +12,7 @@ namespace limpid::stress {
 
 class Umbra {
   public:
-    explicit Umbra(const Scene& scene) : _job(apps::referenceJob(scene, 0)) {
+    explicit Umbra(const Scene& scene) : _job(reference::referenceJob(scene, 0)) {
         _truth = reference::traceLight(_job, {photons, 1, 0, {}});
         for (std::size_t m = 0; m < _truth.maps.size(); ++m)
             _dark.push_back(darkTexels(m));

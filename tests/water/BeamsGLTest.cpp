@@ -6,7 +6,7 @@
 #include "core/Optics.h"
 #include "engine/Scenes.h"
 #include "gl/GLFixture.h"
-#include "water/WaveTerms.h"
+#include "plan/WaveTerms.h"
 
 namespace limpid {
 namespace {

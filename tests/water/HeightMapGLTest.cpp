@@ -9,8 +9,8 @@
 #include "io/HeightImages.h"
 #include "io/Images.h"
 #include "io/TempFolder.h"
+#include "plan/WaveTerms.h"
 #include "water/WaterSurface.h"
-#include "water/WaveTerms.h"
 
 namespace limpid {
 namespace {

@@ -17,10 +17,10 @@
 #include "apps/viewer/Window.h"
 #include "core/Error.h"
 #include "core/Statistics.h"
-#include "engine/Framing.h"
-#include "engine/Warnings.h"
 #include "gl/Reset.h"
 #include "io/Images.h"
+#include "plan/Framing.h"
+#include "plan/Warnings.h"
 
 namespace limpid::viewer {
 

@@ -1,4 +1,4 @@
-#include "engine/ModelWarnings.h"
+#include "plan/ModelWarnings.h"
 
 #include <gmock/gmock.h>
 

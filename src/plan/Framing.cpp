@@ -1,4 +1,4 @@
-#include "engine/Framing.h"
+#include "plan/Framing.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
-#include "water/LampPatch.h"
+#include "plan/LampPatch.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "water/WaveTerms.h"
+#include "plan/WaveTerms.h"
 
 namespace limpid {
 

@@ -1,4 +1,4 @@
-#include "water/LampPatch.h"
+#include "plan/LampPatch.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "water/FlatWater.h"
+#include "plan/FlatWater.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,8 @@
 
 #include "core/Optics.h"
 #include "core/Tau.h"
-#include "water/SunDisc.h"
-#include "water/WaveTerms.h"
+#include "plan/SunDisc.h"
+#include "plan/WaveTerms.h"
 
 namespace limpid {
 

@@ -1,4 +1,4 @@
-#include "water/WaveTerms.h"
+#include "plan/WaveTerms.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "water/SunDisc.h"
+#include "plan/SunDisc.h"
 
 #include <cmath>
 

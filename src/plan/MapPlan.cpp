@@ -1,8 +1,8 @@
-#include "levelmap/MapPlan.h"
+#include "plan/MapPlan.h"
 
 #include <algorithm>
 
-#include "water/FlatWater.h"
+#include "plan/FlatWater.h"
 
 namespace limpid {
 

@@ -1,11 +1,11 @@
-#include "water/FlatWater.h"
+#include "plan/FlatWater.h"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
 #include "engine/Scenes.h"
-#include "water/WaveTerms.h"
+#include "plan/WaveTerms.h"
 
 namespace limpid {
 namespace {

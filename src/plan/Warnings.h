@@ -2,8 +2,8 @@
 #include <string>
 #include <vector>
 
+#include "plan/FlatWater.h"
 #include "scene/Scene.h"
-#include "water/FlatWater.h"
 
 namespace limpid {
 

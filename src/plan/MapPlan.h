@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "core/OrientedBox.h"
-#include "levelmap/Facings.h"
+#include "plan/Facings.h"
+#include "plan/FlatWater.h"
 #include "scene/Scene.h"
-#include "water/FlatWater.h"
 
 /// Which maps a scene has and how each of them looks at its receiver. Decided without a GPU, so that whatever
 /// else computes light for the same scene does it on the very same texels.

@@ -1,7 +1,7 @@
 #pragma once
 #include <optional>
 
-#include "water/FlatWater.h"
+#include "plan/FlatWater.h"
 
 namespace limpid {
 

@@ -1,27 +1,27 @@
-#include "apps/ReferenceJob.h"
+#include "reference/ReferenceJob.h"
 
 #include <embree3/rtcore_config.h>
 #include <fmt/format.h>
 
-#include "audit/FaceSorting.h"
 #include "core/Progress.h"
-#include "levelmap/MapPlan.h"
-#include "levelmap/ReceiverGeometry.h"
-#include "water/FlatWater.h"
+#include "plan/FlatWater.h"
+#include "plan/MapPlan.h"
+#include "plan/Sides.h"
+#include "reference/FaceSorting.h"
 
-namespace limpid::apps {
+namespace limpid::reference {
 
 namespace {
 
-io::Bake bakeOf(const reference::TraceJob& job, reference::TraceResult result) {
+io::Bake bakeOf(const TraceJob& job, TraceResult result) {
     io::Bake bake;
     bake.origin = job.origin;
     bake.time = job.time;
     bake.method = "reference";
     bake.device = fmt::format("CPU, Embree {}", RTC_VERSION_STRING);
     for (std::size_t i = 0; i < job.maps.size(); ++i) {
-        const reference::MapRequest& request = job.maps[i];
-        reference::TexelMap::Finished& finished = result.maps[i];
+        const MapRequest& request = job.maps[i];
+        TexelMap::Finished& finished = result.maps[i];
         io::BakedMap& map = bake.maps.emplace_back();
         map.receiver = job.scene.receivers[std::size_t(request.receiver)].name;
         map.light = job.scene.lights[std::size_t(request.light)].name;
@@ -37,7 +37,7 @@ io::Bake bakeOf(const reference::TraceJob& job, reference::TraceResult result) {
         map.standardError = finished.standardError;
     }
     for (std::size_t i = 0; i < result.lights.size(); ++i) {
-        const reference::TracedLight& light = result.lights[i];
+        const TracedLight& light = result.lights[i];
         bake.lights.push_back({job.scene.lights[i].name, light.photons, light.photons,
                                io::BakedFlux{light.entering,
                                              light.absorbed,
@@ -53,8 +53,8 @@ io::Bake bakeOf(const reference::TraceJob& job, reference::TraceResult result) {
 
 } // namespace
 
-reference::TraceJob referenceJob(const Scene& scene, double time) {
-    reference::TraceJob job{scene, time, sceneOrigin(scene), {}, {}, {}, {}};
+TraceJob referenceJob(const Scene& scene, double time) {
+    TraceJob job{scene, time, sceneOrigin(scene), {}, {}, {}, {}};
     const WaterPatch patch = coveringPatch(scene);
     job.patchMin = patch.min();
     job.patchSize = patch.size;
@@ -71,8 +71,7 @@ reference::TraceJob referenceJob(const Scene& scene, double time) {
     return job;
 }
 
-io::Bake traceBake(const reference::TraceJob& job, reference::TraceOptions how, const std::string& what,
-                   bool quiet) {
+io::Bake traceBake(const TraceJob& job, TraceOptions how, const std::string& what, bool quiet) {
     constexpr int steps = 100;
     Progress progress(what, steps, !quiet);
     int shown = 0;
@@ -81,7 +80,7 @@ io::Bake traceBake(const reference::TraceJob& job, reference::TraceOptions how, 
         if (step > shown) progress.update(step);
         shown = step;
     };
-    return bakeOf(job, reference::traceLight(job, how));
+    return bakeOf(job, traceLight(job, how));
 }
 
-} // namespace limpid::apps
+} // namespace limpid::reference

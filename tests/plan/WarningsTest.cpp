@@ -1,4 +1,4 @@
-#include "engine/Warnings.h"
+#include "plan/Warnings.h"
 
 #include <gmock/gmock.h>
 
@@ -47,9 +47,10 @@ TEST(Warnings, nameWhatTakesNoPart) {
     scene.lights.push_back(scenes::sunAt(95, "night"));
     scene.lights[0].angularDiameter = 0.53;
     scene.caustics.method = Method::Volumetric;
-    EXPECT_THAT(warningsOf(scene), ElementsAre(HasSubstr("light.sun.angular_diameter: not used by volumetric"),
-                                               HasSubstr("light.night: does not enter the water"),
-                                               HasSubstr("receiver.gull: lies above the water")));
+    EXPECT_THAT(warningsOf(scene),
+                ElementsAre(HasSubstr("light.sun.angular_diameter: not used by volumetric"),
+                            HasSubstr("light.night: does not enter the water"),
+                            HasSubstr("receiver.gull: lies above the water")));
 }
 
 TEST(Warnings, passOnWhatAFileDoesNotGiveOnce) {

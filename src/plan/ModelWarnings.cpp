@@ -1,13 +1,13 @@
-#include "engine/ModelWarnings.h"
+#include "plan/ModelWarnings.h"
 
 #include <algorithm>
 #include <map>
 
 #include <fmt/format.h>
 
-#include "levelmap/Facings.h"
+#include "plan/Facings.h"
+#include "plan/WaveTerms.h"
 #include "scene/WaterNames.h"
-#include "water/WaveTerms.h"
 
 namespace limpid {
 

@@ -1,4 +1,4 @@
-#include "engine/Warnings.h"
+#include "plan/Warnings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "core/Tau.h"
-#include "engine/ModelWarnings.h"
-#include "water/WaveTerms.h"
+#include "plan/ModelWarnings.h"
+#include "plan/WaveTerms.h"
 
 namespace limpid {
 

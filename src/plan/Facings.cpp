@@ -1,4 +1,4 @@
-#include "levelmap/Facings.h"
+#include "plan/Facings.h"
 
 #include <algorithm>
 #include <cmath>
