@@ -13,18 +13,7 @@
 
 namespace limpid {
 
-namespace {
-
 using Scope = gl::PassTimers::Scope;
-
-double farthestWater(const Light& light, const Water& water, const std::vector<glm::dvec3>& points) {
-    double farthest = 1e-6;
-    for (const glm::dvec3& p : points)
-        farthest = std::max(farthest, glm::distance(p, entryPoint(light, water, p)));
-    return 1.02 * farthest;
-}
-
-} // namespace
 
 Engine::Engine(gl::Context& context)
     : _context(context), _surface(context), _beamTracer(context), _sceneDepthPass(context),
@@ -38,26 +27,24 @@ void Engine::requireScene(const Scene& scene, const gl::Context& context) {
 }
 
 void Engine::setScene(Scene scene) {
-    frameCamera(scene);
+    scene.camera = framedCamera(scene);
     requireScene(scene, _context);
     const gl::Guard guard(_context);
-    const WaterPatch patch = coveringPatch(scene);
-    setReceivers(scene);
-    _patch = patch;
+    Plan plan = planOf(scene);
+    uploadReceivers(scene, plan.origin);
+    _plan = std::move(plan);
     _scene = std::move(scene);
     _maps.clear();
     freeMaps();
-    for (PlannedMap& planned : planMaps(_scene, _submerged)) {
+    for (const PlannedMap& planned : _plan.maps) {
         ReceiverMaps& maps = _maps.emplace_back();
         maps.light = planned.light;
         maps.receiver = planned.receiver;
-        maps.facings = std::move(planned.facings);
+        maps.facings = planned.facings;
         maps.box = planned.box;
-        maps.gradients = depthGradients(_scene.receivers[std::size_t(maps.receiver)], maps.box, *maps.facings,
-                                        planned.facing, _scene.water.level);
+        maps.gradients = planned.gradients;
         maps.level.facing = planned.facing;
-        maps.inReach = mayReach(_scene.water, _scene.lights[std::size_t(maps.light)],
-                                _wet[std::size_t(maps.receiver)], _patch);
+        maps.inReach = planned.inReach;
     }
 }
 
@@ -67,7 +54,7 @@ void Engine::uploadReceivers(const Scene& scene, const glm::dvec3& origin) {
     std::vector<std::optional<ReceiverGeometry>> made(scene.receivers.size());
     for (std::size_t i = 0; i < made.size(); ++i) {
         const bool same =
-            i < _receivers.size() && origin == _origin && scene.receivers[i] == _scene.receivers[i];
+            i < _receivers.size() && origin == _plan.origin && scene.receivers[i] == _scene.receivers[i];
         if (!same) made[i].emplace(_context, scene.receivers[i], origin);
     }
     const bool sameAll = made.size() == _receivers.size() &&
@@ -77,29 +64,6 @@ void Engine::uploadReceivers(const Scene& scene, const glm::dvec3& origin) {
     for (std::size_t i = 0; i < made.size(); ++i)
         receivers.push_back(std::move(made[i] ? *made[i] : _receivers[i]));
     _receivers = std::move(receivers);
-    _origin = origin;
-}
-
-void Engine::setReceivers(const Scene& scene) {
-    const glm::dvec3 origin = sceneOrigin(scene);
-    uploadReceivers(scene, origin);
-    _dry.clear();
-    _sides = {};
-    _bounds.clear();
-    _wet.clear();
-    _submerged.clear();
-    for (const Receiver& receiver : scene.receivers) {
-        const Bounds bounds = worldBounds(receiver);
-        _bounds.push_back({bounds.min - origin, bounds.max - origin});
-        _submerged.push_back(pointsOfSide(receiver, scene.water.level, Side::Below));
-        Bounds& wet = _wet.emplace_back();
-        for (const glm::dvec3& p : _submerged.back())
-            wet.add(p), _sides.wet.add(p);
-        const auto above = pointsOfSide(receiver, scene.water.level, Side::Above);
-        _dry.insert(_dry.end(), above.begin(), above.end());
-    }
-    for (const glm::dvec3& p : _dry)
-        _sides.dry.add(p);
 }
 
 void Engine::setLook(const Scene& scene) {
@@ -107,7 +71,7 @@ void Engine::setLook(const Scene& scene) {
     _scene.skyRadiance = scene.skyRadiance;
     _scene.ambientRadiance = scene.ambientRadiance;
     _scene.godrays = scene.godrays;
-    frameCamera(_scene);
+    _scene.camera = framedCamera(_scene);
 }
 
 void Engine::setCaustics(const CausticsSettings& settings) {
@@ -163,7 +127,7 @@ void Engine::updateSurface(double time) try {
     _pictureHasLight = false;
     {
         Scope scope(_timers, "water");
-        _surface.update(_scene.water, _patch, _origin, time);
+        _surface.update(_scene.water, _plan.patch, _plan.origin, time);
         _waterTime = time;
     }
     for (int light = 0; light < int(_lights.size()) && !(_reuse && _lightsReady); ++light)
@@ -216,15 +180,8 @@ void Engine::updateMaps(ReceiverMaps& maps) try {
 void Engine::updateLight(int index) {
     const Light& light = _scene.lights[std::size_t(index)];
     LightState& state = _lights[std::size_t(index)];
-    LightFrameData frame = lightFrame(light, _scene.water, _origin);
-    if (entersWater(light, _scene.water)) {
-        std::vector<glm::dvec3> points;
-        for (const auto& own : _submerged)
-            points.insert(points.end(), own.begin(), own.end());
-        frame.sceneDepthRect = sceneDepthRect(light, _scene.water, points, _origin);
-        state.farthest = farthestWater(light, _scene.water, points);
-    }
-    frame.surfaceShadowRect = surfaceShadowRect(light, _scene.water, _patch, _dry, _origin);
+    const LightFrameData& frame = _plan.lights[std::size_t(index)].frame;
+    state.farthest = _plan.lights[std::size_t(index)].farthest;
     _beamTracer.prepare(state.beams, _surface.mesh(), light, _scene.water, frame);
     prepareDisc(index, frame);
     prepareLampWater(index, frame);
@@ -236,7 +193,7 @@ void Engine::updateLight(int index) {
     if (needsSceneDepth(index)) drawSceneDepth(state.sceneDepth, state, _scene.caustics.mapSize);
     if (needsOccluders(index) && !_occluders) {
         Scope scope(_timers, "occluders");
-        _occluders = std::make_unique<Occluders>(_context, _scene.receivers, _origin);
+        _occluders = std::make_unique<Occluders>(_context, _scene.receivers, _plan.origin);
     }
 }
 
@@ -280,12 +237,12 @@ void Engine::updateReceiver(ReceiverMaps& maps) {
 }
 
 void Engine::prepareMaps(ReceiverMaps& maps) {
-    const int size = mapSize(_scene, _patch, maps.box, maps.level.facing);
+    const int size = mapSize(_scene, _plan.patch, maps.box, maps.level.facing);
     const int planes = _scene.caustics.planes;
     prepareLevelMap(_context, maps.level,
                     {maps.box, *maps.facings, maps.gradients,
                      std::max(size >> maps.halvings, std::min(size, 16)),
-                     std::max(planes >> maps.halvings, std::min(planes, 3)), _origin});
+                     std::max(planes >> maps.halvings, std::min(planes, 3)), _plan.origin});
 }
 
 LitReceiver Engine::litReceiver(const ReceiverMaps& maps) const {

@@ -30,6 +30,7 @@
 #include "occlusion/Occluders.h"
 #include "occlusion/TakenLight.h"
 #include "plan/LampPatch.h"
+#include "plan/Plan.h"
 #include "scene/Scene.h"
 #include "view/Picture.h"
 #include "water/Beams.h"
@@ -109,8 +110,8 @@ class Engine {
     /// is made anew at the next update.
     void setCaustics(const CausticsSettings& settings);
     /// What positions on the GPU are relative to, m: zero unless the scene is far from it.
-    const glm::dvec3& origin() const { return _origin; }
-    const WaterPatch& waterPatch() const { return _patch; }
+    const glm::dvec3& origin() const { return _plan.origin; }
+    const WaterPatch& waterPatch() const { return _plan.patch; }
     /// The surface as of the last update.
     const WaterMesh& waterMesh() const { return _surface.mesh(); }
 
@@ -153,7 +154,6 @@ class Engine {
     gl::PassTimers& timers() { return _timers; }
 
   private:
-    void setReceivers(const Scene& scene);
     void uploadReceivers(const Scene& scene, const glm::dvec3& origin);
     template <typename Use>
     auto withPicture(glm::ivec2 size, bool goesOn, Use&& use);
@@ -236,16 +236,10 @@ class Engine {
     bool _pictureHasLight = false; ///< the picture pass has seen the caustics as they are
     std::optional<double> _causticsTime;
     Scene _scene;
-    glm::dvec3 _origin{0};
-    WaterPatch _patch;
+    Plan _plan; ///< of the scene
     std::vector<ReceiverGeometry> _receivers;
     std::unique_ptr<Occluders>
-        _occluders;              ///< of them all; made when some light's beams may meet one on their way
-    std::vector<Bounds> _bounds; ///< of each receiver, m from the scene's origin
-    std::vector<Bounds> _wet;    ///< of each receiver's part below the level, in the world
-    std::vector<std::vector<glm::dvec3>> _submerged; ///< of each receiver, in the world
-    std::vector<glm::dvec3> _dry;                    ///< what stands out of the water, in the world
-    SideBounds _sides;                               ///< of both
+        _occluders; ///< of them all; made when some light's beams may meet one on their way
     std::vector<LightState> _lights;
     std::vector<ReceiverMaps> _maps;
 };

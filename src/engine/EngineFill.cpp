@@ -28,19 +28,19 @@ void Engine::prepareLampWater(int index, const LightFrameData& frame) {
     const Light& light = _scene.lights[std::size_t(index)];
     state.lampWater.reset();
     if (_scene.caustics.method == Method::PhotonSplat) return;
-    std::optional<WaterPatch> patch = lampPatch(light, _scene.water, _patch);
+    std::optional<WaterPatch> patch = lampPatch(light, _scene.water, _plan.patch);
     if (!patch || !hasRoomFor(patch->grid, _context.info())) return;
     state.lampWater =
         std::make_unique<LampWater>(LampWater{std::move(*patch), WaterSurface(_context), Beams{}});
     LampWater& own = *state.lampWater;
-    own.surface.update(_scene.water, own.patch, _origin, *_causticsTime);
+    own.surface.update(_scene.water, own.patch, _plan.origin, *_causticsTime);
     _beamTracer.prepare(own.beams, own.surface.mesh(), light, _scene.water, frame);
 }
 
 void Engine::traceLampWater(LightState& state) {
     if (!state.lampWater) return;
     LampWater& own = *state.lampWater;
-    own.surface.update(_scene.water, own.patch, _origin, *_causticsTime);
+    own.surface.update(_scene.water, own.patch, _plan.origin, *_causticsTime);
     _beamTracer.trace(own.beams, own.surface.mesh(), state.beams.surfaceShadow);
 }
 
@@ -75,14 +75,14 @@ void Engine::fillWhole(ReceiverMaps& maps) {
             break;
         }
         fillInOnePass(_planeBeams, maps, [&](const Beams& beams, const BeamCulling* culling, int points) {
-            return PlaneBeams::Inputs{maps.level,   maps.depths, beams,   mapMesh(state), _patch,
+            return PlaneBeams::Inputs{maps.level,   maps.depths, beams,   mapMesh(state), _plan.patch,
                                       _scene.water, light,       culling, colours,        points};
         });
         break;
     case Method::ExactBeam:
         fillInOnePass(_exactBeams, maps, [&](const Beams& beams, const BeamCulling* culling, int points) {
             return ExactBeams::Inputs{maps.level, maps.receiver,  maps.tangents, occludersOf(maps),
-                                      beams,      mapMesh(state), _patch,        _scene.water,
+                                      beams,      mapMesh(state), _plan.patch,   _scene.water,
                                       light,      culling,        colours,       points};
         });
         break;
@@ -103,10 +103,10 @@ void Engine::fillWhole(ReceiverMaps& maps) {
 
 void Engine::splatPhotons(ReceiverMaps& maps) {
     if (!_photonSplat) _photonSplat = std::make_unique<PhotonSplat>(_context);
-    _photonSplat->fill(maps.caustics,
-                       {maps.level, maps.receiver, maps.tangents, occludersOf(maps),
-                        _lights[std::size_t(maps.light)].beams, _surface.mesh(), _patch, _origin, _scene,
-                        _scene.lights[std::size_t(maps.light)], _wet[std::size_t(maps.receiver)]});
+    _photonSplat->fill(maps.caustics, {maps.level, maps.receiver, maps.tangents, occludersOf(maps),
+                                       _lights[std::size_t(maps.light)].beams, _surface.mesh(), _plan.patch,
+                                       _plan.origin, _scene, _scene.lights[std::size_t(maps.light)],
+                                       _plan.receivers[std::size_t(maps.receiver)].wet});
 }
 
 } // namespace limpid

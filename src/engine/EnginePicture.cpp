@@ -28,11 +28,13 @@ void Engine::drawLampShadows() {
 
 /// Which maps a picture of `size` needs: those whose receiver it may show in a light that gives any.
 std::vector<bool> Engine::shownMaps(glm::ivec2 size) {
-    const ViewFrameData frame = viewFrame(_scene, _origin, _patch, _surface.mesh(), _sides, size);
+    const ViewFrameData frame =
+        viewFrame(_scene, _plan.origin, _plan.patch, _surface.mesh(), _plan.sides, size);
     std::vector<bool> shown;
     for (const ReceiverMaps& maps : _maps)
-        shown.push_back(!_skipping ||
-                        (!isUnlit(maps) && mayShowCaustics(frame, _bounds[std::size_t(maps.receiver)])));
+        shown.push_back(
+            !_skipping ||
+            (!isUnlit(maps) && mayShowCaustics(frame, _plan.receivers[std::size_t(maps.receiver)].bounds)));
     return shown;
 }
 
@@ -60,7 +62,8 @@ void Engine::drawGodrays(const GodrayInputs& inputs) {
 const gl::Texture* Engine::drawGodrays(glm::ivec2 size) {
     const bool wanted = _scene.godrays.method != GodrayMethod::None;
     if (!wanted || _scene.water.scattering == glm::dvec3(0)) return nullptr;
-    const ViewFrameData frame = viewFrame(_scene, _origin, _patch, _surface.mesh(), _sides, size);
+    const ViewFrameData frame =
+        viewFrame(_scene, _plan.origin, _plan.patch, _surface.mesh(), _plan.sides, size);
     if (frame.cameraAbove()) return nullptr;
     std::vector<SceneDepth> own(_lights.size()); // of lights whose maps do without one, and are to go on so
     std::vector<GodraySource> sources;
@@ -74,7 +77,7 @@ const gl::Texture* Engine::drawGodrays(glm::ivec2 size) {
     if (sources.empty()) return nullptr;
     Scope scope(_timers, "godrays");
     const GodrayCamera camera{frame.viewProjection, glm::vec3(frame.cameraPosition), size};
-    drawGodrays({_scene, _surface.mesh(), _patch, _origin, _receivers, sources, camera});
+    drawGodrays({_scene, _surface.mesh(), _plan.patch, _plan.origin, _receivers, sources, camera});
     return &_godrayTarget->radiance();
 }
 
@@ -85,12 +88,12 @@ void Engine::fitMaps(glm::ivec2 size) {
     if (perPixel <= 0) return;
     const double pixelsPerTangent = size.y / (2 * std::tan(0.5 * glm::radians(_scene.camera.verticalFov)));
     for (ReceiverMaps& maps : _maps) {
-        const Bounds& bounds = _bounds[std::size_t(maps.receiver)];
+        const Bounds& bounds = _plan.receivers[std::size_t(maps.receiver)].bounds;
         const double radius = 0.5 * glm::length(bounds.size());
-        const double away = glm::distance(*_scene.camera.position - _origin, bounds.center()) - radius;
+        const double away = glm::distance(*_scene.camera.position - _plan.origin, bounds.center()) - radius;
         // Water between brings things nearer by its index, at most.
         const double pixels = away > 0 ? pixelsPerTangent * 2 * radius / away * _scene.water.ior : 1e9;
-        const double spare = mapSize(_scene, _patch, maps.box, maps.level.facing) / (perPixel * pixels);
+        const double spare = mapSize(_scene, _plan.patch, maps.box, maps.level.facing) / (perPixel * pixels);
         const int halvings = std::clamp(int(std::floor(std::log2(std::max(spare, 1e-9)))), 0, 16);
         if (halvings == maps.halvings) continue;
         maps.halvings = halvings;
@@ -107,7 +110,7 @@ double Engine::causticsTime(double time) const {
 void Engine::moveWater(double time) {
     if (!moves(_scene.water) || time == _waterTime) return;
     Scope scope(_timers, "water");
-    _surface.update(_scene.water, _patch, _origin, time);
+    _surface.update(_scene.water, _plan.patch, _plan.origin, time);
     _waterTime = time;
 }
 
@@ -165,8 +168,8 @@ auto Engine::withPicture(glm::ivec2 size, bool goesOn, Use&& use) try {
     _pictureHasLight = true;
     // That make maps ready to be projected.
     if (!goesOn) _skipped.unreadPasses += std::int64_t(_maps.size() - lit.size());
-    return use(*_picturePass, PicturePass::Inputs{_scene, _origin, _patch, _surface.mesh(), _sides,
-                                                  _receivers, lit, lights, _godrays, rests});
+    return use(*_picturePass, PicturePass::Inputs{_scene, _plan.origin, _plan.patch, _surface.mesh(),
+                                                  _plan.sides, _receivers, lit, lights, _godrays, rests});
 } catch (...) {
     freeMaps();
     throw;

@@ -41,15 +41,15 @@ glm::dvec3 seenAt(const glm::dvec3& camera, const glm::dvec3& point, const Water
 
 } // namespace
 
-void frameCamera(Scene& scene) {
-    Camera& camera = scene.camera;
-    if (camera.position && camera.target) return;
+Camera framedCamera(const Scene& scene) {
+    Camera camera = scene.camera;
+    if (camera.position && camera.target) return camera;
     const Bounds bounds = subject(scene);
     const double level = scene.water.level;
     if (bounds.empty()) {
         camera.position = camera.position.value_or(glm::dvec3(0, level + 1, 2));
         camera.target = camera.target.value_or(glm::dvec3(0, level, 0));
-        return;
+        return camera;
     }
     const double size = std::max(glm::length(bounds.size()), 1e-6);
     const glm::dvec3 center = bounds.center();
@@ -61,6 +61,7 @@ void frameCamera(Scene& scene) {
         camera.position = position;
     }
     if (!camera.target) camera.target = seenAt(*camera.position, center, scene.water);
+    return camera;
 }
 
 } // namespace limpid

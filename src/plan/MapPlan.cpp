@@ -10,32 +10,43 @@ namespace {
 
 /// The map along the light, and one for each way that faces along the light look.
 void planReceiver(std::vector<PlannedMap>& plan, const Scene& scene, int receiver, int light, bool solid,
-                  std::span<const glm::dvec3> submerged) {
-    Bounds bounds;
-    for (const glm::dvec3& p : submerged)
-        bounds.add(p);
+                  const PlannedReceiver& planned) {
+    const std::vector<glm::dvec3>& submerged = planned.submerged;
     const glm::dvec3 direction =
-        meanDirection(scene.lights[std::size_t(light)], scene.water, bounds.center());
+        meanDirection(scene.lights[std::size_t(light)], scene.water, planned.wet.center());
     const auto facings = std::make_shared<const Facings>(
         findFacings(scene.receivers[std::size_t(receiver)], direction, scene.water.level, solid));
-    plan.push_back({receiver, light, 0, facings, tightBox(submerged, facings->light)});
+    plan.push_back({receiver, light, 0, facings, tightBox(submerged, facings->light), {}, true});
     for (int k = 0; k < 4; ++k)
         if (facings->used[std::size_t(k)])
-            plan.push_back({receiver, light, k + 1, facings,
-                            tightBox(facings->points[std::size_t(k)], facings->viewDirection(k))});
+            plan.push_back({receiver,
+                            light,
+                            k + 1,
+                            facings,
+                            tightBox(facings->points[std::size_t(k)], facings->viewDirection(k)),
+                            {},
+                            true});
 }
 
 } // namespace
 
-std::vector<PlannedMap> planMaps(const Scene& scene, std::span<const std::vector<glm::dvec3>> submerged) {
+std::vector<PlannedMap> planMaps(const Scene& scene, std::span<const PlannedReceiver> receivers,
+                                 const WaterPatch& patch) {
     std::vector<PlannedMap> plan;
     std::vector<bool> solid;
     for (const Receiver& receiver : scene.receivers)
         solid.push_back(isSolid(receiver));
     for (std::size_t light = 0; light < scene.lights.size(); ++light)
         for (std::size_t receiver = 0; receiver < scene.receivers.size(); ++receiver)
-            if (!submerged[receiver].empty())
-                planReceiver(plan, scene, int(receiver), int(light), solid[receiver], submerged[receiver]);
+            if (!receivers[receiver].submerged.empty())
+                planReceiver(plan, scene, int(receiver), int(light), solid[receiver], receivers[receiver]);
+    for (PlannedMap& map : plan) {
+        const auto receiver = std::size_t(map.receiver);
+        map.gradients =
+            depthGradients(scene.receivers[receiver], map.box, *map.facings, map.facing, scene.water.level);
+        map.inReach =
+            mayReach(scene.water, scene.lights[std::size_t(map.light)], receivers[receiver].wet, patch);
+    }
     return plan;
 }
 

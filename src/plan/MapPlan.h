@@ -12,17 +12,26 @@
 /// else computes light for the same scene does it on the very same texels.
 namespace limpid {
 
+struct PlannedReceiver {
+    Bounds bounds;                     ///< m from the scene's origin
+    Bounds wet;                        ///< of its part below the level, in the world, m
+    std::vector<glm::dvec3> submerged; ///< corners of that part (pointsOfSide), in the world, m
+};
+
 struct PlannedMap {
     int receiver = 0;
     int light = 0;
     int facing = 0;                         ///< 0 the map along the light; k the further map of axis k - 1
     std::shared_ptr<const Facings> facings; ///< of this receiver and light
     OrientedBox box;                        ///< in the world
+    DepthGradients gradients;
+    bool inReach = true; ///< whether any of the water's light may come to the receiver
 };
 
 /// One for each light and each receiver that reaches into the water, lights outermost; after it, one for each
-/// of its further maps. `submerged`: of each receiver, the points of its part below the level, in the world.
-std::vector<PlannedMap> planMaps(const Scene& scene, std::span<const std::vector<glm::dvec3>> submerged);
+/// of its further maps. `receivers`: as the scene has them.
+std::vector<PlannedMap> planMaps(const Scene& scene, std::span<const PlannedReceiver> receivers,
+                                 const WaterPatch& patch);
 
 /// Texels on the longer side of a map. Further maps are lit by beams that run along them, each over many
 /// texels; finer than a quarter of the water's quads there is nothing to see in them.

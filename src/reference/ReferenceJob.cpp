@@ -4,9 +4,7 @@
 #include <fmt/format.h>
 
 #include "core/Progress.h"
-#include "plan/FlatWater.h"
-#include "plan/MapPlan.h"
-#include "plan/Sides.h"
+#include "plan/Plan.h"
 #include "reference/FaceSorting.h"
 
 namespace limpid::reference {
@@ -54,19 +52,16 @@ io::Bake bakeOf(const TraceJob& job, TraceResult result) {
 } // namespace
 
 TraceJob referenceJob(const Scene& scene, double time) {
-    TraceJob job{scene, time, sceneOrigin(scene), {}, {}, {}, {}};
-    const WaterPatch patch = coveringPatch(scene);
-    job.patchMin = patch.min();
-    job.patchSize = patch.size;
-    for (const Light& light : scene.lights)
-        job.lightEnters.push_back(entersWater(light, scene.water));
-    std::vector<std::vector<glm::dvec3>> submerged;
-    for (const Receiver& receiver : scene.receivers)
-        submerged.push_back(pointsOfSide(receiver, scene.water.level, Side::Below));
-    for (const PlannedMap& planned : planMaps(scene, submerged)) {
-        const int size = mapSize(scene, patch, planned.box, planned.facing);
-        job.maps.push_back({planned.receiver, planned.light, planned.facing, sortingOf(*planned.facings),
-                            texelFrame(planned.box, size)});
+    const Plan plan = planOf(scene);
+    TraceJob job{scene, time, plan.origin, {}, {}, {}, {}};
+    job.patchMin = plan.patch.min();
+    job.patchSize = plan.patch.size;
+    for (const PlannedLight& light : plan.lights)
+        job.lightEnters.push_back(light.enters);
+    for (const PlannedMap& map : plan.maps) {
+        const int size = mapSize(scene, plan.patch, map.box, map.facing);
+        job.maps.push_back(
+            {map.receiver, map.light, map.facing, sortingOf(*map.facings), texelFrame(map.box, size)});
     }
     return job;
 }

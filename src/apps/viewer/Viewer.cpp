@@ -119,7 +119,7 @@ void Viewer::load(const std::filesystem::path& file, const std::function<io::Sce
     try {
         io::SceneDocument document = read();
         Scene scene = document.scene();
-        frameCamera(scene);
+        scene.camera = framedCamera(scene);
         Engine::requireScene(scene, _context);
         _document = std::move(document);
         _recorder.reset();

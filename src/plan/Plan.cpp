@@ -1,0 +1,69 @@
+#include "plan/Plan.h"
+
+#include <algorithm>
+
+#include "plan/Framing.h"
+
+namespace limpid {
+
+namespace {
+
+PlannedReceiver planReceiver(const Receiver& receiver, double level, const glm::dvec3& origin) {
+    PlannedReceiver plan;
+    const Bounds bounds = worldBounds(receiver);
+    plan.bounds = {bounds.min - origin, bounds.max - origin};
+    plan.submerged = pointsOfSide(receiver, level, Side::Below);
+    for (const glm::dvec3& p : plan.submerged)
+        plan.wet.add(p);
+    return plan;
+}
+
+void planSides(Plan& plan, const Scene& scene) {
+    for (const Receiver& receiver : scene.receivers) {
+        const std::vector<glm::dvec3> above = pointsOfSide(receiver, scene.water.level, Side::Above);
+        plan.dry.insert(plan.dry.end(), above.begin(), above.end());
+    }
+    for (const glm::dvec3& p : plan.dry)
+        plan.sides.dry.add(p);
+    for (const PlannedReceiver& receiver : plan.receivers)
+        for (const glm::dvec3& p : receiver.submerged)
+            plan.sides.wet.add(p);
+}
+
+double farthestWater(const Light& light, const Water& water, const std::vector<glm::dvec3>& points) {
+    double farthest = 1e-6;
+    for (const glm::dvec3& p : points)
+        farthest = std::max(farthest, glm::distance(p, entryPoint(light, water, p)));
+    return 1.02 * farthest;
+}
+
+PlannedLight planLight(const Light& light, const Water& water, const Plan& plan) {
+    PlannedLight planned{entersWater(light, water), lightFrame(light, water, plan.origin)};
+    if (planned.enters) {
+        std::vector<glm::dvec3> points;
+        for (const PlannedReceiver& receiver : plan.receivers)
+            points.insert(points.end(), receiver.submerged.begin(), receiver.submerged.end());
+        planned.frame.sceneDepthRect = sceneDepthRect(light, water, points, plan.origin);
+        planned.farthest = farthestWater(light, water, points);
+    }
+    planned.frame.surfaceShadowRect = surfaceShadowRect(light, water, plan.patch, plan.dry, plan.origin);
+    return planned;
+}
+
+} // namespace
+
+Plan planOf(const Scene& scene) {
+    Plan plan;
+    plan.camera = framedCamera(scene);
+    plan.origin = sceneOrigin(scene);
+    plan.patch = coveringPatch(scene);
+    for (const Receiver& receiver : scene.receivers)
+        plan.receivers.push_back(planReceiver(receiver, scene.water.level, plan.origin));
+    planSides(plan, scene);
+    for (const Light& light : scene.lights)
+        plan.lights.push_back(planLight(light, scene.water, plan));
+    plan.maps = planMaps(scene, plan.receivers, plan.patch);
+    return plan;
+}
+
+} // namespace limpid
