@@ -18,7 +18,8 @@
 namespace {
 
 int fail(int code, const char* what) {
-    std::fprintf(stderr, "limpid: %s\n", what); // unlike fmt's, it does not throw where nobody listens
+    // Unlike fmt's, it does not throw where nobody listens.
+    std::fprintf(stderr, "limpid: %s\n", limpid::io::legible(what).c_str());
     return code;
 }
 
@@ -72,11 +73,13 @@ int run(int argc, char** argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::ExtrasError&) {
-        std::string extra;
-        for (const std::string& word : app.remaining(true))
+        std::string extra, option;
+        for (const std::string& word : app.remaining(true)) {
             extra += (extra.empty() ? "" : " ") + word;
+            if (option.empty() && word.starts_with("--")) option = word.substr(0, word.find('='));
+        }
         return fail(2, fmt::format("expected one of the options in limpid --help, found \"{}\"{}", extra,
-                                   limpid::io::suggestion(extra, optionNames(app)))
+                                   limpid::io::suggestion(option, optionNames(app)))
                            .c_str());
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0) return app.exit(error), flushed();

@@ -209,7 +209,7 @@ void PhotonSplat::fill(CausticMap& caustics, const Inputs& inputs) {
     caustics.resize(_context, inputs.map.frame.size);
     const glm::ivec2 size = inputs.map.frame.size;
     const bool coloured = inputs.occluders && inputs.occluders->coloured();
-    const int channels = channelsOf(Colours::AsNeeded, inputs.scene.water, coloured);
+    const int channels = channelsOf(inputs.colours, inputs.scene.water, coloured);
     const bool filtered = inputs.scene.caustics.filterTaps > 0;
     reserveSums(std::int64_t(size.x) * size.y, channels, filtered);
     const WaterPatch photons = photonGrid(inputs);

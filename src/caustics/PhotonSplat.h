@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "caustics/CausticMap.h"
+#include "caustics/FluxSums.h"
 #include "caustics/TangentPlanes.h"
 #include "gl/Program.h"
 #include "levelmap/LevelMap.h"
@@ -36,6 +37,7 @@ class PhotonSplat {
         const Scene& scene; ///< its settings and water
         const Light& light;
         const Bounds& wet; ///< of the receiver below the level, in the world
+        Colours colours = Colours::AsNeeded;
     };
     /// Overwrites `caustics`.
     void fill(CausticMap& caustics, const Inputs& inputs);

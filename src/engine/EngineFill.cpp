@@ -106,7 +106,8 @@ void Engine::splatPhotons(ReceiverMaps& maps) {
     _photonSplat->fill(maps.caustics, {maps.level, maps.receiver, maps.tangents, occludersOf(maps),
                                        _lights[std::size_t(maps.light)].beams, _surface.mesh(), _plan.patch,
                                        _plan.origin, _scene, _scene.lights[std::size_t(maps.light)],
-                                       _plan.receivers[std::size_t(maps.receiver)].wet});
+                                       _plan.receivers[std::size_t(maps.receiver)].wet,
+                                       _skipping ? Colours::AsNeeded : Colours::All});
 }
 
 } // namespace limpid

@@ -16,9 +16,49 @@ namespace fs = std::filesystem;
 
 namespace limpid::io {
 
-std::string oneLine(std::string_view text, std::size_t limit) {
-    std::string line;
-    for (const char c : text) {
+namespace {
+
+/// Bytes of the character that `text` begins with; 0 where it is none of UTF-8.
+std::size_t characterBytes(std::string_view text) {
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+    const std::size_t count = byte(0) < 0x80   ? 1
+                              : byte(0) < 0xC2 ? 0
+                              : byte(0) < 0xE0 ? 2
+                              : byte(0) < 0xF0 ? 3
+                              : byte(0) < 0xF5 ? 4
+                                               : 0;
+    if (count > text.size()) return 0;
+    for (std::size_t i = 1; i < count; ++i)
+        if ((byte(i) & 0xC0) != 0x80) return 0;
+    // Longer than need be, halves of pairs, and past the last plane.
+    if (count == 3 && ((byte(0) == 0xE0 && byte(1) < 0xA0) || (byte(0) == 0xED && byte(1) > 0x9F))) return 0;
+    if (count == 4 && ((byte(0) == 0xF0 && byte(1) < 0x90) || (byte(0) == 0xF4 && byte(1) > 0x8F))) return 0;
+    return count;
+}
+
+} // namespace
+
+std::string legible(std::string_view text) {
+    std::string out;
+    while (!text.empty()) {
+        const std::size_t count = characterBytes(text);
+        const auto first = static_cast<unsigned char>(text[0]);
+        if (first == '\n')
+            out += ' ';
+        else if (count == 0 || (count == 1 && (first < ' ' || first == 0x7f)))
+            out += fmt::format("\\x{:02x}", first);
+        else
+            out += text.substr(0, count);
+        text.remove_prefix(std::max<std::size_t>(count, 1));
+    }
+    return out;
+}
+
+std::string oneLine(std::string_view bytes, std::size_t limit) {
+    std::string text, line;
+    for (const char c : bytes)
+        text += static_cast<unsigned char>(c) <= ' ' || c == '\x7f' ? ' ' : c;
+    for (const char c : legible(text)) {
         const bool blank = static_cast<unsigned char>(c) <= ' ' || c == '\x7f';
         if (!blank)
             line += c;

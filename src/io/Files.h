@@ -12,8 +12,12 @@
 /// Whole files in and out, with errors that fit on one line.
 namespace limpid::io {
 
-/// `text` fit for one line of an error: line breaks and other control characters become spaces, at most
-/// `limit` bytes.
+/// `text` fit for a terminal: what is not UTF-8, and control characters, as \x1b and the like; line breaks
+/// become spaces.
+std::string legible(std::string_view text);
+
+/// `text` fit for one line of an error: line breaks and other control characters become spaces, what is not
+/// UTF-8 is spelt out, at most `limit` bytes.
 std::string oneLine(std::string_view text, std::size_t limit = 200);
 
 /// The suffix of a file's name, dot included, its ASCII letters in lower case: names come in capitals, too.

@@ -161,13 +161,15 @@ std::string describe(const toml::node* node) {
 }
 
 std::string suggestion(std::string_view key, const std::set<std::string, std::less<>>& known) {
+    std::size_t least = 3;
+    std::string nearest;
     for (const std::string& candidate : known) {
         // One slip in a short key, two in a longer one; more is no longer a slip.
         const std::size_t slips = candidate.size() < 5 ? 1 : 2;
-        if (key.size() < 64 && editDistance(key, candidate) <= slips)
-            return fmt::format(", did you mean \"{}\"?", candidate);
+        const std::size_t distance = key.size() < 64 ? editDistance(key, candidate) : least;
+        if (distance <= slips && distance < least) least = distance, nearest = candidate;
     }
-    return {};
+    return nearest.empty() ? "" : fmt::format(", did you mean \"{}\"?", nearest);
 }
 
 const toml::node* TomlTable::find(std::string_view key) {

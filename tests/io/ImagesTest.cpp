@@ -173,6 +173,16 @@ TEST(OneLineTest, JoinsAndCuts) {
     EXPECT_EQ(oneLine(" a\n\n b\t"), "a b");
     EXPECT_EQ(oneLine("abcdef", 3), "abc…");
     EXPECT_EQ(oneLine("aéé", 2), "a…") << "no character is cut in two";
+    EXPECT_EQ(oneLine("a\xff\x1b[31mb"), "a\\xff [31mb") << "what is not UTF-8 is spelt out";
+}
+
+TEST(Files, errorsAreFitForATerminal) {
+    EXPECT_EQ(legible("Grüße, 世界 𝄞"), "Grüße, 世界 𝄞");
+    EXPECT_EQ(legible("\x1b[2J\tx\ny\x7f"), "\\x1b[2J\\x09x y\\x7f");
+    EXPECT_EQ(legible("\xc3"), "\\xc3") << "cut off";
+    EXPECT_EQ(legible("\xc0\xaf \xed\xa0\x80 \xf4\x90\x80\x80"),
+              "\\xc0\\xaf \\xed\\xa0\\x80 \\xf4\\x90\\x80\\x80")
+        << "longer than need be, half of a pair, past the last plane";
 }
 
 } // namespace
