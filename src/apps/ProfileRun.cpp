@@ -11,6 +11,7 @@
 #include "engine/Readback.h"
 #include "gl/Api.h"
 #include "io/BakeErrors.h"
+#include "scene/MethodFacts.h"
 
 namespace limpid::apps {
 
@@ -105,7 +106,8 @@ std::vector<Way> waysOf(const io::Profile& profile, const Scene& scene) {
     for (const Method method : methodsOf(profile, scene)) {
         const std::vector<Fill> fills = orElse(profile.fills, scene.caustics.fill);
         for (const Fill fill : fills)
-            if (hasFills(method) || fill == fills.front()) ways.push_back({method, fillOf(method, fill)});
+            if (factsOf(method).fills || fill == fills.front())
+                ways.push_back({method, fillOf(method, fill)});
     }
     return ways;
 }
@@ -140,10 +142,6 @@ std::vector<Series> combine(const io::Profile& profile, const std::vector<Subjec
                     }
     }
     return all;
-}
-
-bool drawsPlanes(Method method) {
-    return method != Method::ExactBeam && method != Method::PhotonSplat;
 }
 
 class Run {
@@ -248,7 +246,7 @@ void Run::describeWork(Series& series, std::int64_t peak) {
     result.skipped = _engine.skipped().byKind();
     const Scene& scene = _engine.scene();
     for (const ReceiverMaps& maps : _engine.maps()) {
-        const int drawn = drawsPlanes(series.caustics.method) ? int(maps.level.planes.size()) : 0;
+        const int drawn = factsOf(series.caustics.method).planes ? int(maps.level.planes.size()) : 0;
         result.maps.push_back({scene.receivers[std::size_t(maps.receiver)].name,
                                scene.lights[std::size_t(maps.light)].name, maps.level.facing,
                                maps.level.frame.size, drawn});
@@ -284,7 +282,7 @@ void Run::compareMaps(Series& series) {
 /// uniform slicing puts them.
 void Run::countTexels(const Series& series) {
     if (series.caustics.slicing != Slicing::Automatic || _engine.maps().empty()) return;
-    if (series.caustics.method != Method::LevelMap && series.caustics.method != Method::LevelMapSmart) return;
+    if (!factsOf(series.caustics.method).fills) return;
     auto own = std::find_if(_histograms.begin(), _histograms.end(), [&](const DepthHistogram& known) {
         return known.scene == series.result.scene && known.receiver == series.result.receiver;
     });

@@ -8,6 +8,7 @@
 #include "reference/Parallel.h"
 #include "reference/Random.h"
 #include "reference/Source.h"
+#include "scene/MethodFacts.h"
 
 namespace limpid {
 
@@ -145,7 +146,7 @@ ShownSurface shownSurface(const Engine& engine, const ReceiverMaps& maps, const 
                        data.normal,
                        data.coverage,
                        {}};
-    if (goesOwnWay(engine.scene().caustics.method)) return shown;
+    if (factsOf(engine.scene().caustics.method).occludesPerBeam) return shown;
     // A method that shades by the mean light takes a texel's light by the share of it that arrives there.
     const auto colour = maps.level.diffuse.readFloats(GL_RGBA, 4);
     for (std::size_t i = 3; i < colour.size(); i += 4)

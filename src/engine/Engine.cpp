@@ -10,6 +10,7 @@
 #include "plan/MapPlan.h"
 #include "plan/SunDisc.h"
 #include "plan/WaveTerms.h"
+#include "scene/MethodFacts.h"
 
 namespace limpid {
 
@@ -233,7 +234,7 @@ void Engine::updateReceiver(ReceiverMaps& maps) {
         drawSlices(maps);
         break;
     }
-    if (_scene.caustics.method != Method::Volumetric) updateTakenLight(maps);
+    if (!factsOf(_scene.caustics.method).sliceImages) updateTakenLight(maps);
 }
 
 void Engine::prepareMaps(ReceiverMaps& maps) {
@@ -266,7 +267,7 @@ void Engine::updateTangentPlanes(ReceiverMaps& maps) {
         return;
     }
     Scope scope(_timers, "tangent planes");
-    const Occluders* occluders = _scene.caustics.method == Method::ExactBeam ? occludersOf(maps) : nullptr;
+    const Occluders* occluders = factsOf(_scene.caustics.method).tangentPlanes ? occludersOf(maps) : nullptr;
     std::optional<TangentPlanesPass::Rims> rims;
     if (occluders)
         rims.emplace(
@@ -276,7 +277,7 @@ void Engine::updateTangentPlanes(ReceiverMaps& maps) {
 
 void Engine::updatePlaneDepths(ReceiverMaps& maps) {
     const CausticsSettings& settings = _scene.caustics;
-    if (hasFills(settings.method) && settings.fill == Fill::Drawn) return;
+    if (factsOf(settings.method).fills && settings.fill == Fill::Drawn) return;
     if (_skipping && isUnlit(maps)) {
         ++_skipped.unreadPasses;
         return;

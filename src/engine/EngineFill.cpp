@@ -1,5 +1,6 @@
 #include "engine/Engine.h"
 #include "engine/Limits.h"
+#include "scene/MethodFacts.h"
 
 /// How each method comes to the light of a map.
 namespace limpid {
@@ -27,7 +28,7 @@ void Engine::prepareLampWater(int index, const LightFrameData& frame) {
     LightState& state = _lights[std::size_t(index)];
     const Light& light = _scene.lights[std::size_t(index)];
     state.lampWater.reset();
-    if (_scene.caustics.method == Method::PhotonSplat) return;
+    if (factsOf(_scene.caustics.method).photons) return;
     std::optional<WaterPatch> patch = lampPatch(light, _scene.water, _plan.patch);
     if (!patch || !hasRoomFor(patch->grid, _context.info())) return;
     state.lampWater =
@@ -51,7 +52,7 @@ const WaterMesh& Engine::mapMesh(const LightState& state) const {
 /// Of slices, the fill itself finds which surface a texel shows, and only then can sheets before it be asked.
 void Engine::fill(ReceiverMaps& maps) {
     fillWhole(maps);
-    if (_scene.caustics.method == Method::Volumetric) updateTakenLight(maps);
+    if (factsOf(_scene.caustics.method).sliceImages) updateTakenLight(maps);
     if (maps.taken.id()) _takenLight->apply(maps.caustics.irradiance, maps.taken);
 }
 
@@ -60,7 +61,7 @@ void Engine::fillWhole(ReceiverMaps& maps) {
     const LightState& state = _lights[std::size_t(maps.light)];
     const Light& light = _scene.lights[std::size_t(maps.light)];
     Scope scope(_timers, "caustic map");
-    if (_skipping && isUnlit(maps) && _scene.caustics.method != Method::Volumetric) {
+    if (_skipping && isUnlit(maps) && !factsOf(_scene.caustics.method).sliceImages) {
         maps.caustics.clear(_context, maps.level.frame.size);
         ++_skipped.unlitMaps;
         return;

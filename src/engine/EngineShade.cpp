@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "plan/FlatWater.h"
+#include "scene/MethodFacts.h"
 
 /// What stands in light's way, and what of it a method asks.
 namespace limpid {
@@ -34,7 +35,7 @@ bool Engine::hasFurtherMaps(int light) const {
 /// does, or a further map looks from elsewhere.
 bool Engine::needsSceneDepth(int index) const {
     const Light& light = _scene.lights[std::size_t(index)];
-    if (goesOwnWay(_scene.caustics.method) || !entersWater(light, _scene.water)) return false;
+    if (factsOf(_scene.caustics.method).occludesPerBeam || !entersWater(light, _scene.water)) return false;
     return _receivers.size() > 1 || light.type == LightType::Point || hasFurtherMaps(index);
 }
 
@@ -43,7 +44,7 @@ bool Engine::needsSceneDepth(int index) const {
 bool Engine::needsOccluders(int index) const {
     const Light& light = _scene.lights[std::size_t(index)];
     if (!entersWater(light, _scene.water)) return false;
-    if (!goesOwnWay(_scene.caustics.method)) return hasTranslucents();
+    if (!factsOf(_scene.caustics.method).occludesPerBeam) return hasTranslucents();
     return _receivers.size() > 1 || hasFurtherMaps(index) ||
            std::any_of(_maps.begin(), _maps.end(), [](const ReceiverMaps& m) { return !isFlat(m.box); });
 }
@@ -61,7 +62,7 @@ bool Engine::hasTranslucents() const {
 
 /// Beams that go their own way are asked about sheets one by one; the mean light here.
 void Engine::updateTakenLight(ReceiverMaps& maps) {
-    const bool shaded = _occluders && !goesOwnWay(_scene.caustics.method) && hasTranslucents();
+    const bool shaded = _occluders && !factsOf(_scene.caustics.method).occludesPerBeam && hasTranslucents();
     if (!_receivers[std::size_t(maps.receiver)].translucent() && !shaded) return;
     if (!_takenLight) _takenLight = std::make_unique<TakenLight>(_context);
     Scope scope(_timers, "taken light");

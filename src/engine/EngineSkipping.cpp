@@ -1,4 +1,5 @@
 #include "engine/Engine.h"
+#include "scene/MethodFacts.h"
 
 /// What the engine leaves out, and how it counts that.
 namespace limpid {
@@ -20,7 +21,7 @@ bool Engine::cullsBeams() const {
 /// Null where all beams are to be asked.
 const BeamCulling* Engine::cullBeams(ReceiverMaps& maps, const BeamTiles& tiles) {
     if (!cullsBeams()) return nullptr;
-    const bool exact = _scene.caustics.method == Method::ExactBeam;
+    const bool exact = factsOf(_scene.caustics.method).tangentPlanes;
     _culling.cull(tiles, maps.level, exact ? maps.tangents.depthPyramid : maps.depths.pyramid,
                   exact ? BeamCulling::Depths::Leaning : BeamCulling::Depths::Planes);
     if (!maps.askedBeams.id()) maps.askedBeams = gl::Buffer(_context.ledger(), "beam tiles", 4);
@@ -34,7 +35,7 @@ void Engine::countSkipped(const ReceiverMaps& maps) {
     if (!_skipping) return;
     const CausticsSettings& settings = _scene.caustics;
     const int all = maps.level.frame.flat ? 1 : maps.level.requestedPlanes;
-    if (settings.method == Method::LevelMapSmart && settings.slicing == Slicing::Automatic)
+    if (factsOf(settings.method).slicing && settings.slicing == Slicing::Automatic)
         _skipped.planes += all - int(maps.level.planes.size());
     if (fillOf(settings.method, settings.fill) == Fill::OnePass)
         _skipped.channels += 3 - channelsOf(Colours::AsNeeded, _scene.water);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/Error.h"
+#include "scene/MethodFacts.h"
 
 namespace limpid {
 
@@ -27,10 +28,10 @@ void requireGrid(glm::ivec2 grid, const gl::DeviceInfo& gpu) {
 }
 
 void requirePlanes(const CausticsSettings& settings, const gl::DeviceInfo& gpu) {
-    if (settings.method == Method::Volumetric && settings.planes > gpu.maxTextureLayers)
+    if (factsOf(settings.method).sliceImages && settings.planes > gpu.maxTextureLayers)
         throw InputError(
-            fmt::format("caustics.planes: expected at most {} with this GPU and method volumetric, found {}",
-                        gpu.maxTextureLayers, settings.planes));
+            fmt::format("caustics.planes: expected at most {} with this GPU and method {}, found {}",
+                        gpu.maxTextureLayers, methodName(settings.method), settings.planes));
 }
 
 } // namespace limpid

@@ -8,6 +8,7 @@
 #include "core/Tau.h"
 #include "plan/ModelWarnings.h"
 #include "plan/WaveTerms.h"
+#include "scene/MethodFacts.h"
 
 namespace limpid {
 

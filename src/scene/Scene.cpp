@@ -1,40 +1,35 @@
 #include "scene/Scene.h"
 
+#include <algorithm>
+#include <array>
+
+#include "scene/MethodFacts.h"
+
 namespace limpid {
 
 namespace {
 constexpr Fill fills[] = {Fill::Drawn, Fill::OnePass};
-constexpr Method methods[] = {Method::LevelMap,   Method::LevelMapSmart, Method::ExactBeam,
-                              Method::Volumetric, Method::Stencil,       Method::PhotonSplat};
 constexpr GodrayMethod godrayMethods[] = {GodrayMethod::None, GodrayMethod::PhotonLines,
                                           GodrayMethod::ExactShafts, GodrayMethod::Tetrahedra};
 } // namespace
 
 std::span<const Method> allMethods() {
+    static const auto methods = [] {
+        std::array<Method, std::size(methodFacts)> all{};
+        std::transform(std::begin(methodFacts), std::end(methodFacts), all.begin(),
+                       [](const MethodFacts& facts) { return facts.method; });
+        return all;
+    }();
     return methods;
 }
 
 std::string_view methodName(Method method) {
-    switch (method) {
-    case Method::LevelMap:
-        return "level-map";
-    case Method::LevelMapSmart:
-        return "level-map-smart";
-    case Method::ExactBeam:
-        return "exact-beam";
-    case Method::Volumetric:
-        return "volumetric";
-    case Method::Stencil:
-        return "stencil";
-    case Method::PhotonSplat:
-        return "photon-splat";
-    }
-    return "";
+    return factsOf(method).name;
 }
 
 std::optional<Method> methodFromName(std::string_view name) {
-    for (const Method method : methods)
-        if (methodName(method) == name) return method;
+    for (const MethodFacts& facts : methodFacts)
+        if (facts.name == name) return facts.method;
     return std::nullopt;
 }
 
@@ -56,23 +51,6 @@ std::optional<Fill> fillFromName(std::string_view name) {
     for (const Fill fill : fills)
         if (fillName(fill) == name) return fill;
     return std::nullopt;
-}
-
-bool hasFills(Method method) {
-    return method == Method::LevelMap || method == Method::LevelMapSmart;
-}
-
-Fill fillOf(Method method, Fill asked) {
-    if (hasFills(method)) return asked;
-    return method == Method::ExactBeam || method == Method::PhotonSplat ? Fill::OnePass : Fill::Drawn;
-}
-
-bool goesOwnWay(Method method) {
-    return method == Method::ExactBeam || method == Method::PhotonSplat;
-}
-
-bool sumsBeams(const CausticsSettings& settings) {
-    return settings.method != Method::PhotonSplat && fillOf(settings.method, settings.fill) == Fill::OnePass;
 }
 
 std::span<const GodrayMethod> allGodrayMethods() {

@@ -179,7 +179,7 @@ struct Scene {
     bool operator==(const Scene&) const = default;
 };
 
-/// Every method there is.
+/// Every method there is (scene/MethodFacts.h).
 std::span<const Method> allMethods();
 
 /// The name that the scene file and `--method` use, and back; none for a name that no method has.
@@ -190,15 +190,6 @@ std::optional<Method> methodFromName(std::string_view name);
 std::span<const Fill> allFills();
 std::string_view fillName(Fill fill);
 std::optional<Fill> fillFromName(std::string_view name);
-/// Whether a method can be filled either way.
-bool hasFills(Method method);
-/// How a method comes to its light where `asked` is.
-Fill fillOf(Method method, Fill asked);
-/// Whether light is shaded by what is in its own way, and not in the mean light's.
-bool goesOwnWay(Method method);
-/// Whether the light is summed beam by beam in compute passes: beams are passed over many at a time, and a
-/// light's disc is more than a point.
-bool sumsBeams(const CausticsSettings& settings);
 std::span<const GodrayMethod> allGodrayMethods();
 std::string_view godrayMethodName(GodrayMethod method);
 

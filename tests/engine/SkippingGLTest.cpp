@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "engine/EngineFixture.h"
+#include "scene/MethodFacts.h"
 
 namespace limpid {
 namespace {

@@ -1,6 +1,7 @@
 // The same scene gives the same bits: twice, after other work in the same process, in another process.
 #include "apps/RunProgram.h"
 #include "io/TempFolder.h"
+#include "scene/MethodFacts.h"
 #include "stress/Soak.h"
 #include "stress/StressFixture.h"
 
@@ -32,7 +33,7 @@ TEST_F(DeterminismGLTest, everyMethodTwiceAndAfterOtherWork) {
             scene.caustics.method = method;
             scene.caustics.fill = fill;
             scene.caustics.photonGrid = {40, 40};
-            if (fill == Fill::Drawn && !hasFills(method)) continue;
+            if (fill == Fill::Drawn && !factsOf(method).fills) continue;
             Engine engine(context()), other(context());
             const Bits first = bits(engine, scene);
             const std::string what(methodName(method));

@@ -7,6 +7,7 @@
 
 #include "apps/viewer/Widgets.h"
 #include "core/Statistics.h"
+#include "scene/MethodFacts.h"
 
 namespace limpid::viewer {
 
@@ -103,14 +104,15 @@ void memoryTable(const gl::Ledger& ledger) {
 void skippedTable(Stage& stage) {
     if (!ImGui::BeginTable("skipped", 2)) return;
     const Engine& engine = stage.engine();
-    const bool exact = engine.scene().caustics.method == Method::ExactBeam;
+    const bool planeless = !factsOf(engine.scene().caustics.method).planes;
     for (const ReceiverMaps& maps : engine.maps()) {
         const std::string& receiver = engine.scene().receivers[std::size_t(maps.receiver)].name;
         const std::string facing =
             maps.level.facing > 0 ? fmt::format(", further map {}", maps.level.facing) : "";
         const int left = maps.level.requestedPlanes - int(maps.level.planes.size());
         row(fmt::format("{} in {}{}", receiver, engine.scene().lights[std::size_t(maps.light)].name, facing),
-            exact ? "needs none" : fmt::format("{} of {}", std::max(left, 0), maps.level.requestedPlanes));
+            planeless ? "needs none"
+                      : fmt::format("{} of {}", std::max(left, 0), maps.level.requestedPlanes));
     }
     for (const auto& [kind, count] : engine.skipped().byKind())
         if (count > 0) row(fmt::format("skipped: {}", kind), fmt::format("{}", count));

@@ -1,6 +1,7 @@
 #include "apps/viewer/MethodPanel.h"
 
 #include "apps/viewer/Widgets.h"
+#include "scene/MethodFacts.h"
 
 namespace limpid::viewer {
 
@@ -29,13 +30,13 @@ void photonFields(CausticsSettings& caustics) {
 }
 
 void planeFields(CausticsSettings& caustics) {
-    if (hasFills(caustics.method)) {
+    if (factsOf(caustics.method).fills) {
         int fill = int(caustics.fill);
         if (ImGui::Combo("fill", &fill, "drawn\0one pass\0")) caustics.fill = static_cast<Fill>(fill);
         hint("planes drawn one after another, or beams walked in one pass");
     }
     wholeNumber("planes", caustics.planes, 1, 512, "reference planes of a box, before slicing drops any");
-    if (caustics.method != Method::LevelMapSmart) return;
+    if (!factsOf(caustics.method).slicing) return;
     int slicing = int(caustics.slicing);
     if (ImGui::Combo("slicing", &slicing, "automatic\0levels (thesis)\0"))
         caustics.slicing = static_cast<Slicing>(slicing);
@@ -70,9 +71,9 @@ void methodSection(State& state) {
            "texels of receivers that are small in the picture, about; 0: as many as elsewhere");
     number("refresh", caustics.refresh, {.speed = 0.2, .min = 0, .max = 1000},
            "caustics a second of the scene's time, at most; 0: as many as pictures");
-    if (caustics.method == Method::PhotonSplat)
+    if (factsOf(caustics.method).photons)
         photonFields(caustics);
-    else if (caustics.method != Method::ExactBeam)
+    else if (factsOf(caustics.method).planes)
         planeFields(caustics);
 }
 

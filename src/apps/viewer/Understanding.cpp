@@ -10,6 +10,7 @@
 #include "apps/viewer/Pick.h"
 #include "apps/viewer/Widgets.h"
 #include "engine/Readback.h"
+#include "scene/MethodFacts.h"
 
 namespace limpid::viewer {
 
@@ -212,8 +213,8 @@ void Understanding::panel(State& state, Stage& stage) {
             ImGui::Text("Depth histogram: %zu of %d planes drawn", _maps->level.planes.size(),
                         _maps->level.requestedPlanes);
             histogram(*_maps);
-            if (state.scene.caustics.method == Method::ExactBeam)
-                ImGui::TextDisabled("exact beams have no need of planes");
+            if (!factsOf(state.scene.caustics.method).planes)
+                ImGui::TextDisabled("this method has no need of planes");
         } else {
             ImGui::TextWrapped("It has no map: it does not reach into lit water.");
         }
