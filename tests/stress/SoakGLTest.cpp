@@ -11,7 +11,7 @@ class SoakGLTest : public GLTest {};
 TEST_F(SoakGLTest, whatComesAndGoesLeavesNothingOnTheGpu) {
     const std::int64_t before = context().ledger().total();
     std::vector<std::int64_t> bytes;
-    soak::run(context(), 30, 10, [&](const soak::Sample& sample) { bytes.push_back(sample.gpuBytes); });
+    soak::run(context(), 15, 5, [&](const soak::Sample& sample) { bytes.push_back(sample.gpuBytes); });
     ASSERT_EQ(bytes.size(), 4u);
     // From the second on: passes that a method brings along are made when it comes first.
     EXPECT_EQ(bytes[2], bytes[3]);
