@@ -23,6 +23,9 @@ layout(rgba32f, binding = 1) uniform writeonly image2D depthRange;
 // A face steeper than this against the map has its light from its neighbours: a texel then spans 1000 of its widths.
 const float leastFacing = 1e-3;
 
+// Of the position map: whether the texel shows the receiver, from outside.
+bool isThere(vec2 position) { return position.y != -1.0 && position.y != -3.0; }
+
 vec3 normalOf(ivec2 texel) { return octahedralDecode(texelFetch(normalMap, texel, 0).xy); }
 
 #ifdef RIMS
@@ -55,7 +58,7 @@ bool mayBeRim(Middle middle) {
         ivec2 beside = middle.texel + ivec2(way);
         if (any(lessThan(beside, ivec2(0))) || any(greaterThanEqual(beside, boxSize.xy))) continue;
         vec2 position = texelFetch(positionMap, beside, 0).xy;
-        if (position.y == -1.0 || position.y == -3.0 || position.x >= placeOn(middle, vec2(beside) + 0.5).z) continue;
+        if (!isThere(position) || position.x >= placeOn(middle, vec2(beside) + 0.5).z) continue;
         vec2 gradient = depthGradient(normalOf(beside));
         float edge = middle.depth + dot(middle.gradient, 0.5 * way) * boxExtent.w;
         if (standsOut(edge - position.x + dot(gradient, 0.5 * way) * boxExtent.w, middle.gradient, gradient)) return true;
@@ -119,12 +122,12 @@ void main() {
     ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(texel, boxSize.xy))) return;
     vec2 position = texelFetch(positionMap, texel, 0).xy;
-    if (position.y == -1.0 || position.y == -3.0) {
+    if (!isThere(position)) {
         imageStore(tangentPlanes, texel, vec4(1e30, 0.0, 0.0, float(allPlaces)));
         imageStore(depthRange, texel, vec4(1e30, -1e30, 0.0, 0.0));
         return;
     }
-    vec3 normal = boxDirection(normalOf(texel));
+    vec3 facing = normalOf(texel), normal = boxDirection(facing);
     vec2 rise = normal.xy * (boxExtent.w / max(-normal.z, leastFacing));
     // What the normal's 16 bits cannot tell from none is none: floors across the light stay exactly so.
     rise *= step(vec2(1e-4 * boxExtent.w), abs(rise));
@@ -133,7 +136,7 @@ void main() {
     float upright = position.x - dot(lean, vec2(texel) + 0.5);
     int shown = allPlaces;
 #ifdef RIMS
-    shown = shownOf(Middle(texel, position.x, depthGradient(normalOf(texel))));
+    shown = shownOf(Middle(texel, position.x, depthGradient(facing)));
 #endif
     imageStore(tangentPlanes, texel, vec4(position.x, rise, float(shown)));
     imageStore(depthRange, texel, vec4(upright - reach, upright + reach, shown == allPlaces ? 0.0 : -1.0, 0.0));

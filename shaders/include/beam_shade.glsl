@@ -99,6 +99,9 @@ bool isLitAt(BeamPart part, vec3 from) { return !part.cut || isLit(from); }
 
 bool goesDown(vec3 from, vec3 to) { return dot(facingLight.xyz, to - from) > 0.0; }
 
+// Whether a ray comes to what the texel shows, from above.
+bool endsHere(BeamPart part, vec3 from, vec3 to) { return isShown(part, to) && goesDown(from, to); }
+
 // Of light along a face some rays may come from behind it: those are none of its light, and what takes them is no shade. Where
 // a trough dips below a receiver, no ray comes up to it.
 Rays raysOf(BeamPart part, vec2 shift, Target target) {
@@ -107,7 +110,7 @@ Rays raysOf(BeamPart part, vec2 shift, Target target) {
     for (int i = 0; i < spreadRays; ++i) {
         vec3 from, to;
         int beam = rayOf(part, shift, i, from, to);
-        bool ends = isShown(part, to) && goesDown(from, to);
+        bool ends = endsHere(part, from, to);
         if (ends && dot(outward, to - from) >= 0.0) continue;
         if (beam == 1) rays.upper |= 1u << i;
         if (beam == 2) rays.lower |= 1u << i;
@@ -117,7 +120,7 @@ Rays raysOf(BeamPart part, vec2 shift, Target target) {
     if ((rays.upper | rays.lower) == 0u) {
         rayOf(part, shift, middleRay, from, to);
         rays.upper = 1u << middleRay;
-        rays.lit = goesDown(from, to) && isShown(part, to) && isLitAt(part, from) ? rays.upper : 0u;
+        rays.lit = endsHere(part, from, to) && isLitAt(part, from) ? rays.upper : 0u;
     }
     rays.lit &= rays.upper | rays.lower;
     return rays;

@@ -15,8 +15,10 @@ TangentPlanesPass::TangentPlanesPass(gl::Context& context)
 
 const gl::Program& TangentPlanesPass::programFor(const Rims* rims) {
     if (!rims) return _planes;
-    const std::vector<std::string> defines{"RIMS"};
-    if (!_planesWithRims) _planesWithRims = gl::Program({"caustics/tangent_planes.comp"}, defines);
+    if (!_planesWithRims) {
+        const std::vector<std::string> defines{"RIMS"};
+        _planesWithRims = gl::Program({"caustics/tangent_planes.comp"}, defines);
+    }
     _planesWithRims->set(ReceiverNumber, rims->receiverNumber);
     rims->occluders.bind();
     rims->beams.frame.bindUniform(0);

@@ -24,7 +24,7 @@ struct TangentPlanes {
 class TangentPlanesPass {
   public:
     explicit TangentPlanesPass(gl::Context& context);
-    /// What may hide part of a texel: the receiver's own faces, and the water's end.
+    /// Things that may hide part of a texel: the receiver's own faces, and the water's end.
     struct Rims {
         const Occluders& occluders;
         const Beams& beams; ///< of the map's light

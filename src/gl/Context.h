@@ -59,7 +59,7 @@ class Context {
 
   private:
     friend class Guard;
-    /// Whether a guard that begins has something to keep: it is the outermost one in a host's context.
+    /// True for a guard that has something to keep: the outermost one in a host's context.
     bool enter() { return _guards++ == 0 && _isHosts; }
     void leave() { --_guards; }
 

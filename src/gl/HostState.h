@@ -7,10 +7,10 @@
 
 namespace limpid::gl {
 
-/// What a host has set in its context, of all that our passes read or change (but how pixels are packed:
-/// gl/PixelTransfer.h). Made, it sets the state of a
-/// fresh context; gone, the host's is back. Passes keep to draw buffers 0 to 3, blend functions of 0 and 1,
-/// viewport, depth range and scissor box 0, texture units, image units and binding points as below.
+/// The state that a host has set in its context, of all that our passes read or change (but how pixels are
+/// packed: gl/PixelTransfer.h). Made, it sets that of a fresh context; gone, the host's is back. Passes keep
+/// to draw buffers 0 to 3, blend functions of 0 and 1, viewport, depth range and scissor box 0, texture
+/// units, image units and binding points as below.
 class HostState {
   public:
     HostState();

@@ -17,7 +17,7 @@ struct PlannedLight {
     double farthest = 1;  ///< m of water to the farthest receiver, at most; of a light that enters
 };
 
-/// What follows from a scene without a GPU: where what is to be computed, and what need not be. A value;
+/// All that follows from a scene without a GPU: where what is to be computed, and what need not be. A value;
 /// whoever computes light for the same scene has the same. It does not depend on time, nor on how caustics
 /// are computed.
 struct Plan {

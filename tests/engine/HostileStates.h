@@ -15,7 +15,7 @@ struct Hostile {
     std::function<void()> end = [] {}; ///< what setting another state does not undo
 };
 
-/// What a host has made for itself.
+/// A host's own objects.
 struct HostObjects {
     GLuint buffer = 0, vertexArray = 0, framebuffer = 0, sampler = 0, program = 0;
     std::array<GLuint, 3> textures{}; ///< 2D, 2D array, 3D
