@@ -10,10 +10,10 @@
 #include "io/Gltf.h"
 #include "io/HeightImages.h"
 #include "io/TomlReader.h"
-#include "io/WaterBodies.h"
-#include "io/WaterPresets.h"
 #include "scene/Sea.h"
 #include "scene/Shapes.h"
+#include "scene/WaterBodies.h"
+#include "scene/WaterPresets.h"
 
 namespace fs = std::filesystem;
 

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "io/WaterBodies.h"
 #include "scene/Sea.h"
+#include "scene/WaterBodies.h"
 
 namespace limpid::io {
 

@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 
 #include "apps/viewer/Widgets.h"
-#include "io/WaterBodies.h"
-#include "io/WaterPresets.h"
 #include "scene/Sea.h"
+#include "scene/WaterBodies.h"
+#include "scene/WaterPresets.h"
 
 namespace limpid::viewer {
 
@@ -31,12 +31,11 @@ void patchFields(Water& water, double speed) {
 
 /// Named waters; what a field changes is none of them.
 void bodyCombo(Water& water) {
-    const auto body = io::waterBodyOf(water);
-    const std::string shown(body ? io::waterBodies[*body] : "its own");
+    const auto body = waterBodyOf(water);
+    const std::string shown(body ? waterBodies[*body] : "its own");
     if (ImGui::BeginCombo("type", shown.c_str())) {
-        for (std::size_t i = 0; i < std::size(io::waterBodies); ++i)
-            if (ImGui::Selectable(std::string(io::waterBodies[i]).c_str(), body == i))
-                io::setWaterBody(i, water);
+        for (std::size_t i = 0; i < std::size(waterBodies); ++i)
+            if (ImGui::Selectable(std::string(waterBodies[i]).c_str(), body == i)) setWaterBody(i, water);
         ImGui::EndCombo();
     }
     hint("absorption, scattering and anisotropy from published tables");
@@ -144,9 +143,9 @@ void addWave(State& state) {
     ImGui::SameLine();
     ImGui::SetNextItemWidth(-FLT_MIN);
     if (!ImGui::BeginCombo("##preset", "all of them from a preset")) return;
-    for (std::size_t i = 0; i < std::size(io::waterPresets); ++i)
-        if (ImGui::Selectable(std::string(io::waterPresets[i]).c_str()))
-            state.scene.water.waves = io::presetWaves(i, state.scene.water.center.value_or(glm::dvec2(0)));
+    for (std::size_t i = 0; i < std::size(waterPresets); ++i)
+        if (ImGui::Selectable(std::string(waterPresets[i]).c_str()))
+            state.scene.water.waves = presetWaves(i, state.scene.water.center.value_or(glm::dvec2(0)));
     ImGui::EndCombo();
 }
 
