@@ -79,6 +79,10 @@ struct Key : KeyRow {
     bool (*when)(const S&) = nullptr; ///< whether it counts; null: always
 
     bool counts(const S& object) const { return !when || when(object); }
+    template <typename T>
+    bool is(T S::*other) const {
+        return member == Member<S>(other);
+    }
 };
 
 /// By section, in the order in which they are written.
@@ -103,7 +107,7 @@ bool knows(const S& object, const Key<S>& key) {
 template <typename S, typename T>
 const Key<S>& keyOf(std::span<const Key<S>> keys, T S::*member, const S& object = {}) {
     for (const Key<S>& key : keys)
-        if (key.member == Member<S>(member) && knows(object, key)) return key;
+        if (key.is(member) && knows(object, key)) return key;
     throw std::logic_error("a member without a key");
 }
 
