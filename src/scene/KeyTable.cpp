@@ -71,29 +71,10 @@ constexpr Key<Water> waters[] = {
     {{"wave_scale", anyNumber, "", "factor on the amplitudes of all waves", "1", "0.5"}},
 };
 
-constexpr bool isCosine(const Wave& wave) {
-    return wave.type == WaveType::Cosine;
-}
-constexpr bool isCircular(const Wave& wave) {
-    return wave.type == WaveType::Circular;
-}
-constexpr bool isNoise(const Wave& wave) {
-    return wave.type == WaveType::Noise;
-}
-constexpr bool isHeightMap(const Wave& wave) {
-    return wave.type == WaveType::HeightMap;
-}
-constexpr bool isPhillips(const Wave& wave) {
-    return wave.type == WaveType::Phillips;
-}
-constexpr bool isAnalytic(const Wave& wave) {
-    return !isTexture(wave.type);
-}
-constexpr bool isPeriodic(const Wave& wave) {
-    return isCosine(wave) || isCircular(wave);
-}
-constexpr bool isRandom(const Wave& wave) {
-    return isNoise(wave) || isPhillips(wave);
+using enum WaveType;
+template <WaveType... types>
+constexpr bool of(const Wave& wave) {
+    return ((wave.type == types) || ...);
 }
 
 constexpr Key<Wave> waves[] = {
@@ -104,36 +85,36 @@ constexpr Key<Wave> waves[] = {
      &Wave::amplitude},
     {{"wavelength", positive, "m", "crest to crest; of noise, the first octave's cell"},
      &Wave::wavelength,
-     isAnalytic},
-    {{"speed", anyNumber, "m/s", "phase speed"}, &Wave::speed, isAnalytic},
-    {{"direction", anyDirection, "", "direction of travel, x and z"}, &Wave::direction, isCosine},
-    {{"center", anyNumber, "m", "x and z of the rings' middle"}, &Wave::center, isCircular},
-    {{"phase", anyNumber, "degrees", "phase at time 0"}, &Wave::phase, isPeriodic},
+     of<Cosine, Circular, Noise>},
+    {{"speed", anyNumber, "m/s", "phase speed"}, &Wave::speed, of<Cosine, Circular, Noise>},
+    {{"direction", anyDirection, "", "direction of travel, x and z"}, &Wave::direction, of<Cosine>},
+    {{"center", anyNumber, "m", "x and z of the rings' middle"}, &Wave::center, of<Circular>},
+    {{"phase", anyNumber, "degrees", "phase at time 0"}, &Wave::phase, of<Cosine, Circular>},
     {{"octaves", fromTo(1, 12), "", "octaves of Perlin noise, each half as long and high"},
      &Wave::octaves,
-     isNoise},
-    {{"wind", anyDirection, "m/s", "wind velocity, x and z"}, &Wave::direction, isPhillips},
-    {{"size", square(positive), "m", "tile after which the waves repeat"}, &Wave::size, isPhillips},
+     of<Noise>},
+    {{"wind", anyDirection, "m/s", "wind velocity, x and z"}, &Wave::direction, of<Phillips>},
+    {{"size", square(positive), "m", "tile after which the waves repeat"}, &Wave::size, of<Phillips>},
     {{"modes", fromTo(Wind::minModes, Wind::maxModes), "", "waves along a side of the tile, a power of two"},
      &Wave::modes,
-     isPhillips},
+     of<Phillips>},
     {{"shortest", positive, "m", "shorter waves die away", "(four times the tile's longer side over modes)"},
      &Wave::wavelength,
-     isPhillips},
-    {{"seed", seeds, "", "seed of the random numbers"}, &Wave::seed, isRandom},
+     of<Phillips>},
+    {{"seed", seeds, "", "seed of the random numbers"}, &Wave::seed, of<Noise, Phillips>},
     {{"image", Text{"the path of an image, or of a sequence with one %04d"}, "", "heights from -1 to 1",
       "(required)"},
      {},
-     isHeightMap},
+     of<HeightMap>},
     {{"placement", list(4, anyNumber), "m", "x and z of the image's middle, its width and depth",
       "(required)", "[0, 0, 1.5, 2.5]"},
      {},
-     isHeightMap},
-    {{"fps", positive, "1/s", "frame rate of a sequence, which runs in a loop"}, &Wave::fps, isHeightMap},
+     of<HeightMap>},
+    {{"fps", positive, "1/s", "frame rate of a sequence, which runs in a loop"}, &Wave::fps, of<HeightMap>},
     {{"fade", nonNegative, "m", "width of the border in which the heights fade to 0",
       "(a sixteenth of the shorter side)", "0.125"},
      {},
-     isHeightMap},
+     of<HeightMap>},
 };
 
 constexpr bool isDirectional(const Light& light) {
@@ -265,17 +246,13 @@ constexpr Key<CausticsSettings> caustics[] = {
      hasPhotons},
 };
 
+using enum GodrayMethod;
+template <GodrayMethod... methods>
+constexpr bool by(const GodraySettings& godrays) {
+    return ((godrays.method == methods) || ...);
+}
 constexpr bool areDrawn(const GodraySettings& godrays) {
-    return godrays.method != GodrayMethod::None;
-}
-constexpr bool areLines(const GodraySettings& godrays) {
-    return godrays.method == GodrayMethod::PhotonLines;
-}
-constexpr bool areShafts(const GodraySettings& godrays) {
-    return godrays.method == GodrayMethod::ExactShafts;
-}
-constexpr bool areTetrahedra(const GodraySettings& godrays) {
-    return godrays.method == GodrayMethod::Tetrahedra;
+    return godrays.method != None;
 }
 
 constexpr Key<GodraySettings> godrays[] = {
@@ -291,17 +268,17 @@ constexpr Key<GodraySettings> godrays[] = {
      areDrawn},
     {{"planes", fromTo(1, 1024), "", "layers of lit water down to the deepest receiver"},
      &GodraySettings::planes,
-     areShafts},
-    {{"steps", fromTo(1, 4096), "", "steps along a view ray"}, &GodraySettings::steps, areShafts},
+     by<ExactShafts>},
+    {{"steps", fromTo(1, 4096), "", "steps along a view ray"}, &GodraySettings::steps, by<ExactShafts>},
     {{"sub_volumes", fromTo(0, 256), "", "parts of an illumination volume; 0: as many as the water asks for"},
      &GodraySettings::subVolumes,
-     areTetrahedra},
+     by<Tetrahedra>},
     {{"scale", aboveUpTo(0, 1), "", "sides of the godrays' target over the picture's"},
      &GodraySettings::scale,
      areDrawn},
     {{"line_width", fromTo(0.5, 256), "pixels", "width of a line in the target, at least"},
      &GodraySettings::lineWidth,
-     areLines},
+     by<PhotonLines>},
     {{"filter_taps", fromTo(0, 32), "", "taps of the blur; 0: no blur"},
      &GodraySettings::filterTaps,
      areDrawn},
