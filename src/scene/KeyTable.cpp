@@ -211,7 +211,7 @@ constexpr Key<CausticsSettings> caustics[] = {
      &CausticsSettings::planes,
      hasPlanes},
     {{"fill", Choice{fillNames}, "",
-      "how level-map methods accumulate light: raster, or compute in one pass"},
+      "how level-map methods accumulate light, by raster or in one compute pass"},
      &CausticsSettings::fill,
      hasFills},
     {{"slicing", Choice{slicingNames}, "",
