@@ -8,7 +8,7 @@
 /// and an example; after these the member, and when it counts. A new key is a row here.
 namespace limpid {
 
-namespace {
+namespace table {
 
 constexpr Range fromTo(double min, double max) {
     return {.min = min, .max = max};
@@ -287,16 +287,16 @@ constexpr Key<GodraySettings> godrays[] = {
      areDrawn},
 };
 
-} // namespace
+} // namespace table
 
-constinit const std::span<const Key<Camera>> cameraKeys = cameras;
-constinit const std::span<const Key<Water>> waterKeys = waters;
-constinit const std::span<const Key<Wave>> waveKeys = waves;
-constinit const std::span<const Key<Light>> lightKeys = lights;
-constinit const std::span<const Key<Receiver>> receiverKeys = receivers;
-constinit const std::span<const Key<Scene>> skyKeys = skies;
-constinit const std::span<const Key<Scene>> ambientKeys = ambients;
-constinit const std::span<const Key<CausticsSettings>> causticsKeys = caustics;
-constinit const std::span<const Key<GodraySettings>> godrayKeys = godrays;
+constinit const std::span<const Key<Camera>> cameraKeys = table::cameras;
+constinit const std::span<const Key<Water>> waterKeys = table::waters;
+constinit const std::span<const Key<Wave>> waveKeys = table::waves;
+constinit const std::span<const Key<Light>> lightKeys = table::lights;
+constinit const std::span<const Key<Receiver>> receiverKeys = table::receivers;
+constinit const std::span<const Key<Scene>> skyKeys = table::skies;
+constinit const std::span<const Key<Scene>> ambientKeys = table::ambients;
+constinit const std::span<const Key<CausticsSettings>> causticsKeys = table::caustics;
+constinit const std::span<const Key<GodraySettings>> godrayKeys = table::godrays;
 
 } // namespace limpid
