@@ -109,6 +109,45 @@ TEST_F(PackageGLTest, aSceneBecomesAnExrWithoutADisplay) {
     EXPECT_EQ(std::count(missing.out.begin(), missing.out.end(), '\n'), 1) << missing.out;
 }
 
+/// Mean of red over a square of a picture, [0, 1].
+double meanAround(const io::FloatImage& image, int x, int y) {
+    double sum = 0;
+    for (int j = y - 4; j < y + 4; ++j)
+        for (int i = x - 4; i < x + 4; ++i)
+            sum += double(image.data[std::size_t(image.channels * (j * image.width + i))]);
+    return sum / 64;
+}
+
+TEST_F(PackageGLTest, aHostsOwnRendererShowsCausticsAndShade) {
+    const fs::path folder = build("embed-glfw");
+    const test::Display display(_folder->path(), {1024, 600});
+    const Ran ran = run(fmt::format("DISPLAY={0} {1}/embed-glfw --frames 2 --screenshot {1}/pool.png",
+                                    display.name(), folder.string()));
+    EXPECT_EQ(ran.code, 0) << ran.out;
+    const io::FloatImage image = io::readImage(folder / "pool.png");
+    ASSERT_EQ(image.width, 960);
+    ASSERT_EQ(image.height, 540);
+    double least = 1, most = 0, sum = 0;
+    for (int x = 40; x < 920; x += 8) { // over the floor, before the knot
+        const double here = meanAround(image, x, 500);
+        least = std::min(least, here), most = std::max(most, here), sum += here;
+    }
+    EXPECT_GT(most, 0.85);              // a caustic's line
+    EXPECT_LT(least, 0.7);              // between two of them
+    EXPECT_NEAR(sum / 110, 0.72, 0.06); // a floor of albedo 0.75 in 4 W/m², by the host's tone curve
+    EXPECT_LT(meanAround(image, 460, 400), 0.35); // in the knot's shade
+    EXPECT_GT(meanAround(image, 362, 270), 0.55); // on the knot
+}
+
+TEST_F(PackageGLTest, aHostWithoutADisplaySaysSoInOneLine) {
+    const fs::path program = _folder->path() / "embed-glfw" / "embed-glfw";
+    if (!fs::exists(program)) build("embed-glfw");
+    const Ran ran = run("env -u DISPLAY -u WAYLAND_DISPLAY " + program.string());
+    EXPECT_EQ(ran.code, 1);
+    EXPECT_THAT(ran.out, HasSubstr("embed-glfw: GLFW: "));
+    EXPECT_EQ(std::count(ran.out.begin(), ran.out.end(), '\n'), 1) << ran.out;
+}
+
 TEST_F(PackageGLTest, pkgConfigSaysHowToLink) {
     const fs::path pc = [] {
         for (const auto& entry : fs::recursive_directory_iterator(prefix()))
