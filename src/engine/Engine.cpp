@@ -122,7 +122,8 @@ void Engine::updateSurface(double time) try {
     _skipped = {};
     for (ReceiverMaps& maps : _maps)
         maps.culled = false;
-    const bool rests = _reuse && _causticsTime && (*_causticsTime == time || !moves(_scene.water));
+    const bool rests =
+        _reuse && _causticsTime && !isLive(_scene.water) && (*_causticsTime == time || !moves(_scene.water));
     if (rests) return;
     _causticsTime = time;
     _pictureHasLight = false;

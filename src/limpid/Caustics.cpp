@@ -9,6 +9,7 @@
 #include "gl/Api.h"
 #include "gl/CurrentContext.h"
 #include "gl/Guard.h"
+#include "limpid/HostChecks.h"
 #include "limpid/SceneChecks.h"
 
 namespace limpid {
@@ -70,6 +71,7 @@ Caustics& Caustics::operator=(Caustics&&) noexcept = default;
 void Caustics::set(Scene scene) {
     requireContext();
     requireScene(scene);
+    requireHostTextures(scene.water);
     _impl->engine.setScene(std::move(scene));
     _impl->isSet = true;
     _impl->isUpdated = false;
@@ -83,6 +85,7 @@ void Caustics::update(double seconds) {
     requireContext();
     requireCall(_impl->isSet, "update", "set() before it");
     requireTime(seconds);
+    requireHostTextures(_impl->engine.scene().water);
     _impl->isUpdated = false;
     _impl->engine.updateCaustics(seconds);
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT); // a host may sample at once
@@ -111,6 +114,7 @@ Picture Caustics::render(double seconds, glm::ivec2 size) {
     requireContext();
     requireCall(_impl->isSet, "render", "set() before it");
     requireTime(seconds);
+    requireHostTextures(_impl->engine.scene().water);
     const int most = Engine::largestPicture(*_impl->context);
     if (std::min(size.x, size.y) < 1 || std::max(size.x, size.y) > most)
         throw InputError(

@@ -8,6 +8,7 @@
 #include "core/Error.h"
 #include "core/Picture.h"
 #include "limpid/Context.h"
+#include "scene/HostWater.h"
 #include "scene/Scene.h"
 
 /// Light through moving water, for a host with a renderer of its own. SI units, Y up, right-handed, linear
@@ -47,7 +48,8 @@ class Caustics {
     const Scene& scene() const; ///< of the last set(), with its camera framed
 
     /// Computes the caustics under the water at `seconds`, any finite time of the scene. Throws InputError
-    /// before set(), for a time that is not finite or a height map that cannot be loaded; GraphicsError.
+    /// before set(), for a time that is not finite, a height map that cannot be loaded or a HostWater whose
+    /// texture is not as it says; GraphicsError.
     void update(double seconds);
     /// One for each light and each receiver that reaches below the level; more for receivers with faces along
     /// the light. Light on a point is the sum over the maps of its receiver. Throws InputError unless
