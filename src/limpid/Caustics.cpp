@@ -72,6 +72,7 @@ void Caustics::set(Scene scene) {
     requireContext();
     requireScene(scene);
     requireHostTextures(scene.water);
+    requireHostBuffers(scene.receivers);
     _impl->engine.setScene(std::move(scene));
     _impl->isSet = true;
     _impl->isUpdated = false;

@@ -8,6 +8,7 @@
 #include "core/Error.h"
 #include "core/Picture.h"
 #include "limpid/Context.h"
+#include "scene/HostMesh.h"
 #include "scene/HostWater.h"
 #include "scene/Scene.h"
 
@@ -44,6 +45,7 @@ class Caustics {
 
     /// The scene from now on. Every receiver has a mesh, every number lies in the range that scene/Scene.h
     /// says. Throws InputError (place, expected, got) or GraphicsError, and then keeps the scene before.
+    /// A host's buffers and textures are as their HostMesh and HostWater say.
     void set(Scene scene);
     const Scene& scene() const; ///< of the last set(), with its camera framed
 

@@ -1,9 +1,12 @@
 #include "limpid/HostChecks.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "core/Error.h"
 #include "gl/Api.h"
+#include "scene/HostMesh.h"
 
 namespace limpid {
 
@@ -30,7 +33,35 @@ void requireTexture(const std::string& place, GLuint texture, glm::ivec2 texels)
                                      size.x, size.y));
 }
 
+/// `end`: bytes that are read, from the buffer's first on.
+void requireBuffer(const std::string& place, GLuint buffer, std::int64_t end) {
+    if (!glIsBuffer(buffer))
+        throw InputError(
+            fmt::format("{}: expected an OpenGL buffer, got {}, which names none", place, buffer));
+    GLint64 bytes = 0;
+    GLint mapped = 0;
+    glGetNamedBufferParameteri64v(buffer, GL_BUFFER_SIZE, &bytes);
+    if (bytes < end)
+        throw InputError(fmt::format("{}: expected at least {} bytes, got {}", place, end, bytes));
+    glGetNamedBufferParameteriv(buffer, GL_BUFFER_MAPPED, &mapped);
+    if (mapped) throw InputError(fmt::format("{}: expected an unmapped buffer, got a mapped one", place));
+}
+
+void requireBuffers(const std::string& place, const HostMesh& mesh) {
+    const int last = std::max(mesh.positionOffset, mesh.normalOffset.value_or(0));
+    requireBuffer(place + ".vertexBuffer", mesh.vertexBuffer,
+                  mesh.vertexOffset + std::int64_t(mesh.vertexCount - 1) * mesh.vertexStride + last + 12);
+    if (!mesh.indexBuffer) return;
+    const std::int64_t indices = mesh.indexOffset + std::int64_t(mesh.indexCount) * mesh.indexBytes;
+    requireBuffer(place + ".indexBuffer", mesh.indexBuffer, (indices + 3) / 4 * 4); // read in words
+}
+
 } // namespace
+
+void requireHostBuffers(const std::vector<Receiver>& receivers) {
+    for (std::size_t i = 0; i < receivers.size(); ++i)
+        if (receivers[i].host) requireBuffers(fmt::format("receivers[{}]: HostMesh", i), *receivers[i].host);
+}
 
 void requireHostTextures(const Water& water) {
     for (std::size_t i = 0; i < water.waves.size(); ++i)
