@@ -10,6 +10,7 @@
 #include <limpid/Caustics.h>
 
 #include "Pool.h"
+#include "Water.h"
 #include "Window.h"
 
 namespace {
@@ -44,11 +45,13 @@ Options parse(const std::vector<std::string>& words) {
 void run(const Options& options) {
     Window window({960, 540}, "Limpid embedded");
     const Pool pool;
+    const Water water;
     limpid::Caustics caustics(limpid::Context::current());
-    caustics.set(pool.scene());
+    caustics.set(pool.scene(water.wave()));
     bool open = true;
     for (int frame = 0; open; ++frame) {
         const double seconds = options.frames ? frame / 30.0 : window.seconds();
+        water.move(seconds);
         caustics.update(seconds);
         pool.draw(caustics.maps(), window.size());
         const bool last = options.frames && frame + 1 == *options.frames;

@@ -1,7 +1,7 @@
 #include "Pool.h"
 
 #include <cmath>
-#include <memory>
+#include <cstddef>
 
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
@@ -29,6 +29,7 @@ Pool::Object Pool::makeFloor() {
     return {"floor",
             {0, -depth, 0},
             {0.75f, 0.8f, 0.8f},
+            false,
             {{{-2, 0, -2}, up}, {{-2, 0, 2}, up}, {{2, 0, -2}, up}, {{2, 0, 2}, up}},
             {0, 1, 2, 2, 1, 3}};
 }
@@ -36,7 +37,7 @@ Pool::Object Pool::makeFloor() {
 Pool::Object Pool::makeKnot() {
     constexpr int along = 384, around = 32;
     constexpr float tube = 0.065f; // m
-    Object knot{"knot", {0, -0.9f, 0}, {0.85f, 0.5f, 0.3f}, {}, {}};
+    Object knot{"knot", {0, -0.9f, 0}, {0.85f, 0.5f, 0.3f}, true, {}, {}};
     for (int i = 0; i < along; ++i) {
         const float turn = glm::two_pi<float>() * float(i) / along;
         const glm::vec3 middle = knotAt(turn), ahead = glm::normalize(knotAt(turn + 0.01f) - middle);
@@ -87,40 +88,33 @@ void Pool::upload(Object& object) const {
     }
 }
 
-limpid::Scene Pool::scene() const {
+limpid::Receiver Pool::receiverOf(const Object& object) {
+    limpid::HostMesh mesh;
+    mesh.vertexBuffer = object.vertexBuffer;
+    mesh.vertexStride = sizeof(Vertex);
+    mesh.normalOffset = offsetof(Vertex, normal);
+    mesh.vertexCount = int(object.vertices.size());
+    mesh.indexBuffer = object.indexBuffer;
+    mesh.indexCount = int(object.indices.size());
+    for (const Vertex& vertex : object.vertices)
+        mesh.bounds.add(glm::dvec3(vertex.position));
+    mesh.closed = object.closed;
+    mesh.albedo = object.albedo;
+    limpid::Receiver receiver = limpid::receiverOf(object.name, mesh);
+    receiver.translation = object.translation;
+    return receiver;
+}
+
+limpid::Scene Pool::scene(const limpid::Wave& waves) const {
     limpid::Scene scene;
     limpid::Light sun;
     sun.name = "sun";
     sun.direction = {0.35, -1, -0.2};
     sun.irradiance = glm::dvec3(4);
     scene.lights = {sun};
-    for (const auto& [direction, wavelength] :
-         {std::pair(glm::dvec2(1, 0.3), 0.55), std::pair(glm::dvec2(-0.4, 1), 0.41),
-          std::pair(glm::dvec2(0.7, -0.8), 0.33)}) {
-        limpid::Wave wave;
-        wave.direction = direction;
-        wave.wavelength = wavelength;
-        wave.amplitude = 0.012 * wavelength;
-        wave.speed = std::sqrt(9.81 * wavelength / glm::two_pi<double>());
-        scene.water.waves.push_back(wave);
-    }
-    for (const Object& object : _objects) {
-        limpid::Mesh mesh;
-        for (const Vertex& vertex : object.vertices) {
-            mesh.positions.push_back(vertex.position);
-            mesh.normals.push_back(vertex.normal);
-        }
-        mesh.uvs.resize(mesh.positions.size());
-        mesh.indices = object.indices;
-        mesh.parts = {{0, std::uint32_t(mesh.indices.size()), 0}};
-        mesh.materials.resize(1);
-        mesh.materials[0].baseColor = glm::vec4(object.albedo, 1);
-        limpid::Receiver receiver;
-        receiver.name = object.name;
-        receiver.mesh = std::make_shared<const limpid::Mesh>(std::move(mesh));
-        receiver.translation = object.translation;
-        scene.receivers.push_back(std::move(receiver));
-    }
+    scene.water.waves = {waves};
+    for (const Object& object : _objects)
+        scene.receivers.push_back(receiverOf(object));
     scene.camera.position = eye;
     scene.camera.target = target;
     scene.camera.verticalFov = fov;

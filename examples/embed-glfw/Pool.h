@@ -15,8 +15,8 @@ class Pool {
     Pool(const Pool&) = delete;
     Pool& operator=(const Pool&) = delete;
 
-    /// The same for Limpid: a receiver for each object.
-    limpid::Scene scene() const;
+    /// The same for Limpid: a receiver for each object, under water with `waves`.
+    limpid::Scene scene(const limpid::Wave& waves) const;
     /// Draws the objects in the light of `maps`.
     void draw(std::span<const limpid::LitMap> maps, glm::ivec2 size) const;
 
@@ -27,12 +27,14 @@ class Pool {
     struct Object {
         const char* name;
         glm::vec3 translation, albedo;
+        bool closed;
         std::vector<Vertex> vertices;
         std::vector<GLuint> indices;
         GLuint vertexBuffer = 0, indexBuffer = 0, vertexArray = 0;
     };
     static Object makeFloor();
     static Object makeKnot();
+    static limpid::Receiver receiverOf(const Object& object);
     void upload(Object& object) const;
 
     std::vector<Object> _objects;
