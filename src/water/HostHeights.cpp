@@ -38,7 +38,6 @@ void HostHeights::update(gl::Texture& spline, const HeightSource& source) {
         glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
     }
     glBindSampler(heightsUnit, 0);
-    glBindTextureUnit(heightsUnit, 0);
 }
 
 } // namespace limpid

@@ -1,56 +1,16 @@
 // Triangles in buffers of the host's: the light and the shade that the same triangles have from memory.
 #include <cmath>
-#include <cstring>
 
 #include <gmock/gmock.h>
 
 #include "engine/Scenes.h"
-#include "gl/Api.h"
 #include "limpid/Caustics.h"
+#include "limpid/HostData.h"
 
 namespace limpid {
 namespace {
 
-/// A mesh in buffers as a host may lay them out: 8 bytes in front, then normal, 4 bytes of its own, position.
-class HostBuffers {
-  public:
-    HostBuffers(const Mesh& mesh, int indexBytes) {
-        _mesh.vertexOffset = 8;
-        _mesh.vertexStride = 28;
-        _mesh.normalOffset = 0;
-        _mesh.positionOffset = 16;
-        _mesh.vertexCount = int(mesh.positions.size());
-        std::vector<std::byte> vertices(8 + 28 * mesh.positions.size());
-        for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-            const glm::vec3 position(mesh.positions[i]), normal = 3.0f * mesh.normals[i];
-            std::memcpy(&vertices[8 + 28 * i], &normal, 12);
-            std::memcpy(&vertices[8 + 28 * i + 16], &position, 12);
-            _mesh.bounds.add(glm::dvec3(position));
-        }
-        _mesh.vertexBuffer = upload(_buffers[0], vertices);
-        _mesh.indexBytes = indexBytes;
-        _mesh.indexOffset = 4;
-        _mesh.indexCount = int(mesh.indices.size());
-        std::vector<std::byte> indices((4 + std::size_t(indexBytes) * mesh.indices.size() + 3) / 4 * 4);
-        for (std::size_t i = 0; i < mesh.indices.size(); ++i) // little-endian
-            std::memcpy(&indices[4 + std::size_t(indexBytes) * i], &mesh.indices[i], std::size_t(indexBytes));
-        _mesh.indexBuffer = upload(_buffers[1], indices);
-    }
-    ~HostBuffers() { glDeleteBuffers(2, _buffers); }
-    HostBuffers(const HostBuffers&) = delete;
-    HostBuffers& operator=(const HostBuffers&) = delete;
-
-    HostMesh& mesh() { return _mesh; }
-
-  private:
-    static GLuint upload(GLuint& buffer, const std::vector<std::byte>& bytes) {
-        glCreateBuffers(1, &buffer);
-        glNamedBufferStorage(buffer, GLsizeiptr(bytes.size()), bytes.data(), 0);
-        return buffer;
-    }
-    GLuint _buffers[2] = {};
-    HostMesh _mesh;
-};
+using namespace test;
 
 Scene sceneOf(Method method) {
     Scene scene = scenes::floorPastSphere(30);
@@ -82,24 +42,6 @@ std::vector<std::vector<float>> mapsOf(Caustics& caustics, const Scene& scene) {
     for (int i = 0; i < int(caustics.maps().size()); ++i)
         maps.push_back(caustics.irradiance(i));
     return maps;
-}
-
-double meanDifference(const std::vector<float>& a, const std::vector<float>& b) {
-    EXPECT_EQ(a.size(), b.size());
-    double difference = 0, sum = 0;
-    for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
-        difference += std::abs(double(a[i]) - double(b[i])), sum += double(b[i]);
-    return difference / sum;
-}
-
-template <typename Call>
-std::string errorOf(const Call& call) {
-    try {
-        call();
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "no error";
 }
 
 TEST(HostMeshGLTest, isLitAndShadesAsTheSameMeshInMemory) {

@@ -5,46 +5,18 @@
 #include <gmock/gmock.h>
 
 #include "engine/Scenes.h"
-#include "gl/Api.h"
 #include "limpid/Caustics.h"
 #include "limpid/HostChecks.h"
+#include "limpid/HostData.h"
 #include "plan/WaveTerms.h"
 #include "water/WaterSurface.h"
 
 namespace limpid {
 namespace {
 
+using namespace test;
+
 constexpr double tau = 6.283185307179586;
-constexpr glm::ivec2 texels(128, 96);
-const glm::dvec2 center(0.3, -0.1), size(4, 3);
-
-/// A texture of heights f(x, z), as a host may make it.
-class HostTexture {
-  public:
-    HostTexture() {
-        glCreateTextures(GL_TEXTURE_2D, 1, &_id);
-        glTextureStorage2D(_id, 1, GL_R32F, texels.x, texels.y);
-    }
-    ~HostTexture() { glDeleteTextures(1, &_id); }
-    HostTexture(const HostTexture&) = delete;
-    HostTexture& operator=(const HostTexture&) = delete;
-
-    template <typename F>
-    void fill(F f) const {
-        std::vector<float> heights;
-        for (int z = 0; z < texels.y; ++z)
-            for (int x = 0; x < texels.x; ++x) {
-                const glm::dvec2 at = center + size * ((glm::dvec2(x, z) + 0.5) / glm::dvec2(texels) - 0.5);
-                heights.push_back(float(f(at.x, at.y)));
-            }
-        glTextureSubImage2D(_id, 0, 0, 0, texels.x, texels.y, GL_RED, GL_FLOAT, heights.data());
-    }
-    HostWater water() const { return {_id, texels, center, size, 0.05, 0.5}; }
-
-  private:
-    GLuint _id = 0;
-};
-
 double ripple(double x, double z) {
     return 0.01 * std::sin(tau * (x / 0.8 + z / 1.1));
 }
@@ -56,23 +28,6 @@ Scene sceneOf(const std::vector<Wave>& waves) {
     scene.water.size = glm::dvec2(2.4);
     scene.caustics.mapSize = 64;
     return scene;
-}
-
-template <typename Call>
-std::string errorOf(const Call& call) {
-    try {
-        call();
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "no error";
-}
-
-double meanDifference(const std::vector<float>& a, const std::vector<float>& b) {
-    double difference = 0, sum = 0;
-    for (std::size_t i = 0; i < a.size(); ++i)
-        difference += std::abs(double(a[i]) - double(b[i])), sum += double(b[i]);
-    return difference / sum;
 }
 
 TEST(HostWaterGLTest, theSurfaceGoesThroughItsHeights) {
