@@ -18,15 +18,21 @@ struct Caustics::Impl {
     explicit Impl(std::shared_ptr<gl::Context> shared) : context(std::move(shared)), engine(*context) {}
 
     std::shared_ptr<gl::Context> context;
+    const void* handle = gl::currentHandle(); ///< of the context, which was current
     Engine engine;
     bool isSet = false, isUpdated = false;
 };
 
 namespace {
 
-void requireContext() {
-    if (!gl::currentContext())
-        throw GraphicsError("OpenGL: expected a context that is current on this thread, got none");
+/// `expected`: the handle of a context; null: any.
+void requireContext(const void* expected = nullptr) {
+    const void* const current = gl::currentHandle();
+    if (!current) throw GraphicsError("OpenGL: expected a context that is current on this thread, got none");
+    if (expected && current != expected)
+        throw GraphicsError(fmt::format(
+            "OpenGL: expected the context that Caustics was made in to be current ({}), got another ({})",
+            expected, current));
 }
 
 void requireTime(double seconds) {
@@ -69,7 +75,7 @@ Caustics::Caustics(Caustics&&) noexcept = default;
 Caustics& Caustics::operator=(Caustics&&) noexcept = default;
 
 void Caustics::set(Scene scene) {
-    requireContext();
+    requireContext(_impl->handle);
     requireScene(scene);
     requireHostTextures(scene.water);
     requireHostBuffers(scene.receivers);
@@ -83,7 +89,7 @@ const Scene& Caustics::scene() const {
 }
 
 void Caustics::update(double seconds) {
-    requireContext();
+    requireContext(_impl->handle);
     requireCall(_impl->isSet, "update", "set() before it");
     requireTime(seconds);
     requireHostTextures(_impl->engine.scene().water);
@@ -102,7 +108,7 @@ std::vector<LitMap> Caustics::maps() const {
 }
 
 std::vector<float> Caustics::irradiance(int map) const {
-    requireContext();
+    requireContext(_impl->handle);
     requireCall(_impl->isUpdated, "irradiance", "update() since the last set() or render()");
     const int count = int(_impl->engine.maps().size());
     if (map < 0 || map >= count)
@@ -112,7 +118,7 @@ std::vector<float> Caustics::irradiance(int map) const {
 }
 
 Picture Caustics::render(double seconds, glm::ivec2 size) {
-    requireContext();
+    requireContext(_impl->handle);
     requireCall(_impl->isSet, "render", "set() before it");
     requireTime(seconds);
     requireHostTextures(_impl->engine.scene().water);

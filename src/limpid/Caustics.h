@@ -34,7 +34,8 @@ struct LitMap {
 };
 
 /// The caustics of a scene. Not thread-safe: all calls, the destructor's too, on the thread where the context
-/// is current. The host's OpenGL state is the same after every call. After an exception it stays of use.
+/// is current, or GraphicsError says so. The host's OpenGL state is the same after every call. After an
+/// exception it stays of use.
 class Caustics {
   public:
     /// Compiles no more than all methods share. Throws GraphicsError.

@@ -47,7 +47,20 @@ void requireBuffer(const std::string& place, GLuint buffer, std::int64_t end) {
     if (mapped) throw InputError(fmt::format("{}: expected an unmapped buffer, got a mapped one", place));
 }
 
+/// A pass reads it as one block, and writes another.
+void requireRoom(const std::string& place, const HostMesh& mesh) {
+    GLint64 most = 0;
+    glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &most);
+    const std::int64_t vertices = std::int64_t(mesh.vertexCount) * std::max(mesh.vertexStride, 48),
+                       indices = std::int64_t(mesh.indexCount) * 4;
+    if (const std::int64_t bytes = std::max(mesh.vertexOffset + vertices, mesh.indexOffset + indices);
+        bytes > most)
+        throw InputError(
+            fmt::format("{}: expected at most {} bytes with this GPU, got {}", place, most, bytes));
+}
+
 void requireBuffers(const std::string& place, const HostMesh& mesh) {
+    requireRoom(place, mesh);
     const int last = std::max(mesh.positionOffset, mesh.normalOffset.value_or(0));
     requireBuffer(place + ".vertexBuffer", mesh.vertexBuffer,
                   mesh.vertexOffset + std::int64_t(mesh.vertexCount - 1) * mesh.vertexStride + last + 12);

@@ -114,6 +114,20 @@ TEST(CausticsGLTest, saysWhatIsWrongInASceneAndKeepsTheOneBefore) {
     EXPECT_FALSE(caustics.maps().empty());
 }
 
+TEST(CausticsGLTest, inAnotherContextTheErrorSaysSo) {
+    const Context first = Context::headless();
+    auto caustics = std::make_unique<Caustics>(first);
+    caustics->set(rippledFloor());
+    const Context second = Context::headless(); // current from here on
+    try {
+        caustics->update(0);
+        FAIL();
+    } catch (const GraphicsError& error) {
+        EXPECT_THAT(error.what(), ::testing::HasSubstr("expected the context that Caustics was made in"));
+    }
+    caustics.reset(); // in some context; the first's objects go with it
+}
+
 TEST(CausticsGLTest, withoutAContextTheErrorSaysSo) {
     try {
         Context::current();
