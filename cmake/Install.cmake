@@ -44,6 +44,7 @@ install(FILES ${CMAKE_BINARY_DIR}/generated/limpidConfig.cmake ${CMAKE_BINARY_DI
 install(FILES shaders/limpid/limpid_caustics.glsl DESTINATION ${LIMPID_SHADER_DIR})
 
 file(RELATIVE_PATH LIMPID_PC_PREFIX /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+string(REGEX REPLACE "/$" "" LIMPID_PC_PREFIX ${LIMPID_PC_PREFIX})
 foreach(package limpid limpid-io)
   configure_file(cmake/${package}.pc.in ${CMAKE_BINARY_DIR}/generated/${package}.pc @ONLY)
   install(FILES ${CMAKE_BINARY_DIR}/generated/${package}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
