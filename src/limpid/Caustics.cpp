@@ -15,24 +15,24 @@
 namespace limpid {
 
 struct Caustics::Impl {
-    explicit Impl(std::shared_ptr<gl::Context> shared) : context(std::move(shared)), engine(*context) {}
+    Impl(std::shared_ptr<gl::Context> shared, const void* which)
+        : context(std::move(shared)), handle(which), engine(*context) {}
 
     std::shared_ptr<gl::Context> context;
-    const void* handle = gl::currentHandle(); ///< of the context, which was current
+    const void* handle; ///< of the context
     Engine engine;
     bool isSet = false, isUpdated = false;
 };
 
 namespace {
 
-/// `expected`: the handle of a context; null: any.
-void requireContext(const void* expected = nullptr) {
+/// `expected`: the handle of a context.
+void requireContext(const void* expected) {
     const void* const current = gl::currentHandle();
     if (!current) throw GraphicsError("OpenGL: expected a context that is current on this thread, got none");
-    if (expected && current != expected)
-        throw GraphicsError(fmt::format(
-            "OpenGL: expected the context that Caustics was made in to be current ({}), got another ({})",
-            expected, current));
+    if (current != expected)
+        throw GraphicsError(
+            fmt::format("OpenGL: expected context {} to be current, got {}", expected, current));
 }
 
 void requireTime(double seconds) {
@@ -65,9 +65,9 @@ LitMap litMap(const Engine& engine, const ReceiverMaps& maps) {
 } // namespace
 
 Caustics::Caustics(const Context& context) {
-    requireContext();
+    requireContext(context._handle);
     const gl::Guard guard(*context._context);
-    _impl = std::make_unique<Impl>(context._context);
+    _impl = std::make_unique<Impl>(context._context, context._handle);
 }
 
 Caustics::~Caustics() = default;

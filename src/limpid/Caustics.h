@@ -17,7 +17,8 @@
 namespace limpid {
 
 /// The light of one lamp on one receiver, as textures that the host samples (limpid_caustics.glsl). They
-/// belong to Caustics; their names hold until its next call. Row 0 is the top: u right, v down.
+/// belong to Caustics; their names hold until its next set(), update() or
+/// render(). Row 0 is the top: u right, v down.
 struct LitMap {
     int receiver = 0;             ///< index into Scene::receivers
     int light = 0;                ///< index into Scene::lights

@@ -4,6 +4,7 @@
 
 #include "core/Error.h"
 #include "gl/Context.h"
+#include "gl/CurrentContext.h"
 
 namespace limpid {
 
@@ -17,7 +18,8 @@ gl::ContextOptions optionsOf(const ContextOptions& options) {
 
 } // namespace
 
-Context::Context(std::shared_ptr<gl::Context> context) : _context(std::move(context)) {}
+Context::Context(std::shared_ptr<gl::Context> context)
+    : _context(std::move(context)), _handle(gl::currentHandle()) {}
 
 Context Context::current(const ContextOptions& options) {
     return Context(std::make_shared<gl::Context>(gl::Context::Current{}, optionsOf(options)));

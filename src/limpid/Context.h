@@ -38,6 +38,7 @@ class Context {
     friend class Caustics;
     explicit Context(std::shared_ptr<gl::Context> context);
     std::shared_ptr<gl::Context> _context;
+    const void* _handle; ///< that tells it from other contexts, as the window system has it
 };
 
 } // namespace limpid
