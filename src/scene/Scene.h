@@ -106,7 +106,7 @@ struct HostMesh;
 struct Receiver {
     std::string name = "receiver";
     std::shared_ptr<const Mesh> mesh;
-    std::shared_ptr<const HostMesh> host; ///< triangles of a host's, of which `mesh` is the hull; mostly null
+    std::shared_ptr<const HostMesh> host{}; ///< triangles of a host's, whose hull `mesh` is; mostly null
     glm::dvec3 translation{0};
     glm::dquat rotation{1, 0, 0, 0}; ///< unit
     glm::dvec3 scale{1};
