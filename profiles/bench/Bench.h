@@ -73,6 +73,8 @@ class Bench {
 
 /// The engine's own passes.
 void addPasses(Bench& bench);
+/// What a host pays for a change of its scene.
+void addChanges(gl::Context& context);
 /// What others do, and what no method can go below (see Yardsticks.cpp).
 void addYardsticks(Bench& bench);
 

@@ -20,6 +20,7 @@ int main(int argc, char** argv) {
         benchmark::AddCustomContext("gpu", context.info().renderer);
         limpid::bench::Bench bench(context);
         limpid::bench::addPasses(bench);
+        limpid::bench::addChanges(context);
         limpid::bench::addYardsticks(bench);
         benchmark::RunSpecifiedBenchmarks();
         benchmark::Shutdown();

@@ -5,6 +5,7 @@
 #include "io/Gltf.h"
 #include "levelmap/SceneDepthMap.h"
 #include "plan/FlatWater.h"
+#include "plan/Sides.h"
 #include "scene/Shapes.h"
 
 namespace limpid::bench {

@@ -63,7 +63,7 @@ void bake(const BakeOptions& options) {
     gl::Context context(contextOptions(options.common));
     Engine engine(context);
     engine.setSkipping(!options.common.noSkip);
-    engine.setScene(std::move(scene));
+    engine.set(std::move(scene));
     printWarnings(engine, options.common);
     engine.updateCaustics(options.time);
     io::Bake result;

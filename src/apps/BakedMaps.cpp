@@ -4,10 +4,10 @@ namespace limpid::apps {
 
 namespace {
 
-io::BakedMap bakedMap(const Engine& engine, const ReceiverMaps& maps, MapData data) {
+io::BakedMap bakedMap(const Engine& engine, const MapWork& maps, MapData data) {
     io::BakedMap baked;
-    baked.receiver = engine.scene().receivers[std::size_t(maps.receiver)].name;
-    baked.light = engine.scene().lights[std::size_t(maps.light)].name;
+    baked.receiver = engine.scene().receivers[std::size_t(maps.plan.receiver)].name;
+    baked.light = engine.scene().lights[std::size_t(maps.plan.light)].name;
     baked.size = data.size;
     baked.irradiance = std::move(data.irradiance);
     baked.position = std::move(data.position);
@@ -26,7 +26,7 @@ io::BakedMap bakedMap(const Engine& engine, const ReceiverMaps& maps, MapData da
 
 std::vector<MapData> readAllMaps(Engine& engine) {
     std::vector<MapData> read;
-    for (const ReceiverMaps& maps : engine.maps()) {
+    for (const MapWork& maps : engine.maps()) {
         const gl::Texture coverage = engine.coverage(maps);
         read.push_back(readMaps(maps, engine.origin(), &coverage));
     }

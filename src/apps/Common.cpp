@@ -9,31 +9,26 @@
 
 #include "core/Error.h"
 #include "io/Files.h"
+#include "scene/Keys.h"
 
 namespace limpid::apps {
 
 void addCommonOptions(CLI::App& command, CommonOptions& options) {
     command.add_option("INPUT", options.input, "scene (.toml) or model (.glb, .gltf)")->required();
-    std::vector<std::string_view> methods;
-    for (const Method method : allMethods())
-        methods.push_back(methodName(method));
-    command.add_option("--method", options.method,
-                       fmt::format("how caustics are computed: {}", fmt::join(methods, ", ")));
-    std::vector<std::string_view> fills;
-    for (const Fill fill : allFills())
-        fills.push_back(fillName(fill));
-    command.add_option(
-        "--fill", options.fill,
-        fmt::format("how the level map methods come to their light: {}", fmt::join(fills, ", ")));
-    std::vector<std::string_view> godrays;
-    for (const GodrayMethod method : allGodrayMethods())
-        godrays.push_back(godrayMethodName(method));
-    command.add_option("--godrays", options.godrays,
-                       fmt::format("how light scattered by the water is drawn, seen from below: {}",
-                                   fmt::join(godrays, ", ")));
-    command.add_option("--planes", options.planes, "reference planes of a box, before slicing drops any");
-    command.add_option("--map-size", options.mapSize, "texels on the longer side of a map");
-    command.add_option("--set", options.settings, "KEY=VALUE: change any key of the scene (repeatable)")
+    const auto add = [&](const char* name, auto& value, const auto& key) {
+        const Choice* choice = std::get_if<Choice>(&key.takes);
+        command.add_option(name, value,
+                           choice ? fmt::format("{}: {}", key.says, fmt::join(choice->names, ", "))
+                                  : std::string(key.says));
+    };
+    add("--method", options.method, keyOf(causticsKeys, &CausticsSettings::method));
+    add("--fill", options.fill, keyOf(causticsKeys, &CausticsSettings::fill));
+    add("--godrays", options.godrays, keyOf(godrayKeys, &GodraySettings::method));
+    add("--planes", options.planes, keyOf(causticsKeys, &CausticsSettings::planes));
+    add("--map-size", options.mapSize, keyOf(causticsKeys, &CausticsSettings::mapSize));
+    command
+        .add_option("--set", options.settings,
+                    "KEY=VALUE: change any key of the scene, see limpid man (repeatable)")
         ->allow_extra_args(false)
         ->take_all();
     command

@@ -26,10 +26,10 @@ void printWork(Engine& engine, gl::Context& context, std::FILE* out) {
     fmt::print(out, "GPU: {}\n", context.info().renderer);
     for (const auto& [pass, ms] : engine.timers().collect())
         fmt::print(out, "  {:<18} {:10.2f} ms\n", pass, ms);
-    for (const ReceiverMaps& maps : engine.maps())
+    for (const MapWork& maps : engine.maps())
         fmt::print(out, "  {} in {}: {} of {} planes\n",
-                   engine.scene().receivers[std::size_t(maps.receiver)].name,
-                   engine.scene().lights[std::size_t(maps.light)].name, maps.level.planes.size(),
+                   engine.scene().receivers[std::size_t(maps.plan.receiver)].name,
+                   engine.scene().lights[std::size_t(maps.plan.light)].name, maps.level.planes.size(),
                    maps.level.requestedPlanes);
     for (const auto& [kind, count] : engine.skipped().byKind())
         fmt::print(out, "  {:<22} {:6} skipped\n", kind, count);

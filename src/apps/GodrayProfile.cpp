@@ -93,7 +93,7 @@ void GodrayRun::prepare(Subject& subject) {
     if (_placed == index) return;
     GodraySettings none;
     none.method = GodrayMethod::None;
-    _engine.setScene(sceneOf(subject, none));
+    _engine.set(sceneOf(subject, none));
     _engine.updateCaustics(_profile.time);
     if (subject.without.rgb.empty()) subject.without = _engine.draw(_profile.picture);
     _placed = index;
@@ -102,7 +102,7 @@ void GodrayRun::prepare(Subject& subject) {
 void GodrayRun::time(Series& series) {
     Subject& subject = _subjects[series.subject];
     prepare(subject);
-    _engine.setLook(sceneOf(subject, series.result.settings));
+    _engine.set(sceneOf(subject, series.result.settings));
     const bool first = series.ms.empty();
     for (int i = 0; i < (first ? std::max(_profile.warmup, 1) : _profile.warmup); ++i)
         _engine.draw(_profile.picture);

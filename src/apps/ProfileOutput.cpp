@@ -42,7 +42,7 @@ Json bytesJson(const ProfileResult& result) {
     return json;
 }
 
-Json mapJson(const MapWork& map) {
+Json mapJson(const MeasuredMap& map) {
     Json json = {{"receiver", map.receiver},
                  {"light", map.light},
                  {"size", {map.size.x, map.size.y}},
@@ -70,7 +70,7 @@ Json resultJson(const ProfileResult& result) {
     for (const auto& [kind, count] : result.skipped)
         json["skipped"][kind] = count;
     json["maps"] = Json::array();
-    for (const MapWork& map : result.maps)
+    for (const MeasuredMap& map : result.maps)
         json["maps"].push_back(mapJson(map));
     if (result.error) json["error"] = errorJson(*result.error);
     if (result.standardError) json["error"]["standard_error"] = *result.standardError;

@@ -126,7 +126,7 @@ double peakMiB(const ProfileResult& result) {
 /// Planes drawn of the maps along the light; what further maps take is no matter of slicing.
 double planesAlongLight(const ProfileResult& result) {
     double planes = 0;
-    for (const MapWork& map : result.maps)
+    for (const MeasuredMap& map : result.maps)
         if (map.facing == 0) planes += map.planesDrawn;
     return planes;
 }

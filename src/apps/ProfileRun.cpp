@@ -157,7 +157,6 @@ class Run {
   private:
     Scene sceneOf(const Series& series) const;
     void traceGroundTruth();
-    void place(const Series& series);
     void warmUp(int updates);
     void time(Series& series);
     void describeWork(Series& series, std::int64_t peak);
@@ -173,7 +172,6 @@ class Run {
     std::vector<Series> _series;
     GroundTruth _truth;
     bool _judged;
-    const Series* _placed = nullptr;   ///< whose settings the engine has
     const Series* _baseline = nullptr; ///< whose maps `_baselineMaps` are
     io::Bake _baselineMaps;
     std::vector<DepthHistogram> _histograms;
@@ -192,15 +190,6 @@ void Run::traceGroundTruth() {
         _truth.maps(sceneOf(series));
 }
 
-void Run::place(const Series& series) {
-    if (_placed == &series) return;
-    if (_placed && _placed->sameScene(series))
-        _engine.setCaustics(series.caustics);
-    else
-        _engine.setScene(sceneOf(series));
-    _placed = &series;
-}
-
 /// Where something may be reused, water that stood still would leave nothing to do: it moves on by 1/30 s
 /// with each update, to the profile's time.
 void Run::warmUp(int updates) {
@@ -212,7 +201,7 @@ void Run::warmUp(int updates) {
 
 void Run::time(Series& series) {
     const bool first = series.wall.empty();
-    place(series);
+    _engine.set(sceneOf(series));
     // The first visit of all compiles and allocates, whatever the profile says.
     warmUp(first ? std::max(_profile.warmup, 1) : _profile.warmup);
     _context.ledger().resetPeak();
@@ -245,10 +234,10 @@ void Run::describeWork(Series& series, std::int64_t peak) {
     result.bytes.emplace_back("peak", peak);
     result.skipped = _engine.skipped().byKind();
     const Scene& scene = _engine.scene();
-    for (const ReceiverMaps& maps : _engine.maps()) {
+    for (const MapWork& maps : _engine.maps()) {
         const int drawn = factsOf(series.caustics.method).planes ? int(maps.level.planes.size()) : 0;
-        result.maps.push_back({scene.receivers[std::size_t(maps.receiver)].name,
-                               scene.lights[std::size_t(maps.light)].name, maps.level.facing,
+        result.maps.push_back({scene.receivers[std::size_t(maps.plan.receiver)].name,
+                               scene.lights[std::size_t(maps.plan.light)].name, maps.level.facing,
                                maps.level.frame.size, drawn});
         result.planesDrawn += drawn;
     }
@@ -312,7 +301,7 @@ ProfileOutcome Run::soFar() const {
 ProfileOutcome Run::run() {
     if (_judged) traceGroundTruth();
     _engine.setReuse(_profile.reuse);
-    place(_series.front());
+    _engine.set(sceneOf(_series.front()));
     _engine.render(_profile.time, _profile.picture); // makes what pictures need
     Progress progress(fmt::format("{}: frames", _profile.name), _profile.frames * int(_series.size()),
                       !_options.quiet);

@@ -15,7 +15,7 @@
 namespace limpid::apps {
 
 /// One map of a combination.
-struct MapWork {
+struct MeasuredMap {
     std::string receiver, light;
     int facing = 0;
     glm::ivec2 size{0};
@@ -33,7 +33,7 @@ struct ProfileResult {
     int planesDrawn = 0;                                     ///< of all maps
     std::int64_t beamsDrawn = 0;
     std::vector<std::pair<const char*, std::int64_t>> skipped; ///< by what was left out of the frame
-    std::vector<MapWork> maps;
+    std::vector<MeasuredMap> maps;
     std::optional<ImageErrors> error;      ///< against the ground truth
     std::optional<double> standardError;   ///< nMAE that chance in the ground truth alone may make
     std::optional<ImageErrors> difference; ///< from the baseline's maps

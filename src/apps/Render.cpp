@@ -108,7 +108,7 @@ void render(const RenderOptions& options) {
             "--size: expected at most {} pixels on a side with this GPU, found \"{}\"", most, options.size));
     Engine engine(context);
     engine.setSkipping(!options.common.noSkip);
-    engine.setScene(std::move(scene));
+    engine.set(std::move(scene));
     printWarnings(engine, options.common);
     if (frames) {
         renderFrames(options, engine, *frames, missing, size, exposure);

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include "apps/Common.h"
-#include "io/SceneSettings.h"
+#include "scene/Keys.h"
 
 /// What a shell and `man` need to know of the commands, told by the commands themselves so that it stays
 /// true.
@@ -19,21 +19,6 @@ std::string longNames(const CLI::App& command) {
         for (const std::string& name : option->get_lnames())
             names += fmt::format("{}--{}", names.empty() ? "" : " ", name);
     return names;
-}
-
-/// What every key of a scene is by default; entries of lists have number 0.
-std::vector<std::pair<std::string, std::string>> sceneKeys() {
-    Scene scene;
-    scene.water.waves.resize(1);
-    scene.lights.resize(1);
-    scene.receivers.resize(1);
-    std::vector<std::pair<std::string, std::string>> keys;
-    for (const io::Setting& setting : io::settingsOf(scene)) {
-        const std::string entry = setting.entry < 0 ? "" : fmt::format("{}.", setting.entry);
-        keys.emplace_back(fmt::format("{}.{}{}", setting.section, entry, setting.key), setting.value);
-    }
-    keys.emplace_back("receiver.0.without", "[]"); // says what of a file is loaded, not how the scene is
-    return keys;
 }
 
 template <typename Values, typename NameOf>
@@ -55,7 +40,7 @@ std::string choices() {
     for (const auto& [options, names] : all)
         cases += fmt::format("        {}) COMPREPLY=($(compgen -W \"{}\" -- \"$current\")); return ;;\n",
                              options, names);
-    const std::string keys = words(sceneKeys(), [](const auto& key) { return key.first + "="; });
+    const std::string keys = words(sceneKeys(), [](const KeyFacts& key) { return key.path() + "="; });
     return cases + fmt::format("        --set) COMPREPLY=($(compgen -W \"{}\" -- \"$current\"))\n"
                                "            compopt -o nospace 2>/dev/null; return ;;\n",
                                keys);
@@ -108,8 +93,9 @@ std::string manPage(const CLI::App& app) {
                                 roff(option->get_description()));
     }
     page += ".SH SCENE KEYS\nWhat a scene file or \\-\\-set may say, with its default.\n";
-    for (const auto& [key, value] : sceneKeys())
-        page += fmt::format(".TP\n\\fB{}\\fR\n{}\n", roff(key), roff(value));
+    for (const KeyFacts& key : sceneKeys())
+        page += fmt::format(".TP\n\\fB{}\\fR\n{}\n.br\n{}\n", roff(key.path()), roff(key.standard),
+                            roff(sentenceOf(key)));
     return page + fmt::format(".SH EXIT STATUS\n{}\n", roff(app.get_footer()));
 }
 

@@ -134,12 +134,12 @@ int raysFor(int count, double error, double wanted) {
     return int(std::min(more, double(FluxAudit::mostRays)));
 }
 
-ShownSurface shownSurface(const Engine& engine, const ReceiverMaps& maps, const MapData& data) {
+ShownSurface shownSurface(const Engine& engine, const MapWork& maps, const MapData& data) {
     TexelFrame frame = maps.level.frame;
     frame.box.corner -= engine.origin();
-    ShownSurface shown{maps.receiver,
+    ShownSurface shown{maps.plan.receiver,
                        maps.level.facing,
-                       reference::sortingOf(*maps.facings),
+                       reference::sortingOf(*maps.plan.facings),
                        frame,
                        engine.scene().water.level - engine.origin().y,
                        data.position,
@@ -187,15 +187,15 @@ std::vector<FluxBalance> auditFlux(const Engine& engine, std::span<const MapData
     std::vector<FluxBalance> balances;
     for (int light = 0; light < int(engine.scene().lights.size()); ++light) {
         FluxBalance& balance = balances.emplace_back();
-        const LightState& state = engine.light(light);
+        const LightWork& state = engine.light(light);
         if (state.beams.strength == glm::dvec3(0)) continue;
         std::vector<ShownSurface> shown;
         for (std::size_t i = 0; i < maps.size(); ++i)
-            if (engine.maps()[i].light == light)
+            if (engine.maps()[i].plan.light == light)
                 shown.push_back(shownSurface(engine, engine.maps()[i], maps[i]));
         balance = audit.count(readBeams(state.mapBeams(), engine.mapMesh(state)), light, shown);
         for (std::size_t i = 0; i < maps.size(); ++i)
-            if (engine.maps()[i].light == light) balance.deposited += maps[i].deposited;
+            if (engine.maps()[i].plan.light == light) balance.deposited += maps[i].deposited;
     }
     return balances;
 }

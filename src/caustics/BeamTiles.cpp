@@ -36,11 +36,10 @@ std::int64_t BeamTiles::reachedBeams() const {
     return beams;
 }
 
-BeamCulling::BeamCulling(gl::Context& context)
-    : _context(context), _bounds({"caustics/beam_tiles.comp"}), _cullPlanes({"caustics/cull_tiles.comp"}),
-      _cullLeaning({"caustics/cull_tiles.comp"}, std::array<std::string, 1>{"LEANING"}) {}
+BeamTilesPass::BeamTilesPass(gl::Context& context)
+    : _context(context), _bounds({"caustics/beam_tiles.comp"}) {}
 
-void BeamCulling::update(BeamTiles& tiles, const Beams& beams, const WaterMesh& surface) {
+void BeamTilesPass::update(BeamTiles& tiles, const Beams& beams, const WaterMesh& surface) {
     if (tiles.quads != surface.quads) {
         tiles.quads = surface.quads;
         tiles.bounds = gl::Buffer(_context.ledger(), "beam tiles", 64 * tiles.count());
@@ -54,6 +53,10 @@ void BeamCulling::update(BeamTiles& tiles, const Beams& beams, const WaterMesh& 
     _bounds.dispatch(tiles.count(), groupSize);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
+
+BeamCulling::BeamCulling(gl::Context& context)
+    : _context(context), _cullPlanes({"caustics/cull_tiles.comp"}),
+      _cullLeaning({"caustics/cull_tiles.comp"}, std::array<std::string, 1>{"LEANING"}) {}
 
 void BeamCulling::cull(const BeamTiles& tiles, const LevelMap& map, const gl::Texture& pyramid,
                        Depths depths) {

@@ -19,14 +19,22 @@ struct BeamTiles {
     std::int64_t reachedBeams() const;
 };
 
+/// Bounds the rays of each tile; needs to be done once for each surface.
+class BeamTilesPass {
+  public:
+    explicit BeamTilesPass(gl::Context& context);
+    void update(BeamTiles& tiles, const Beams& beams, const WaterMesh& surface);
+
+  private:
+    gl::Context& _context;
+    gl::Program _bounds;
+};
+
 /// Finds the tiles that may send light to a map, so that a receiver costs by the beams that may reach it and
 /// not by all.
 class BeamCulling {
   public:
     explicit BeamCulling(gl::Context& context);
-
-    /// Bounds of the rays of `beams`; needs to be done once for each surface.
-    void update(BeamTiles& tiles, const Beams& beams, const WaterMesh& surface);
 
     /// What a map is asked about: a scratch list, overwritten for the next.
     /// Four uints: work groups of an indirect dispatch (x, y, z), tiles; beams in them; the tiles.
@@ -47,7 +55,7 @@ class BeamCulling {
 
   private:
     gl::Context& _context;
-    gl::Program _bounds, _cullPlanes, _cullLeaning;
+    gl::Program _cullPlanes, _cullLeaning;
     gl::Buffer _kept;
 };
 

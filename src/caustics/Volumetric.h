@@ -1,18 +1,10 @@
 #pragma once
 #include "caustics/CausticMap.h"
 #include "caustics/PlaneDrawer.h"
+#include "caustics/Slices.h"
 #include "levelmap/LevelMap.h"
 
 namespace limpid {
-
-/// The slice images of one receiver and light: layer i holds what of the receiver is nearest to plane i. All
-/// exist at once, 32 bytes a texel and plane. Frame and rows are those of the receiver's level map.
-struct Slices {
-    gl::Texture position, diffuse, normal; ///< as in LevelMap; -1 where the slab holds no surface
-    gl::Texture caustics;                  ///< RGBA32F: irradiance, W/m² on the receiver's own surface
-
-    int count() const { return position.layers(); }
-};
 
 /// The method that the level map was measured against (thesis 5.2.1, figures 5-1 to 5-4; after Iwasaki,
 /// Dobashi and Nishita 2003): the receiver is drawn into a slice image for each plane, the caustics are drawn

@@ -12,6 +12,7 @@ struct Bounds {
     void add(const glm::dvec3& p) { min = glm::min(min, p), max = glm::max(max, p); }
     glm::dvec3 center() const { return 0.5 * (min + max); }
     glm::dvec3 size() const { return max - min; }
+    bool operator==(const Bounds&) const = default;
     /// Bit c of `i`, [0, 8), says at which end of axis c.
     glm::dvec3 corner(int i) const {
         return {i & 1 ? max.x : min.x, i & 2 ? max.y : min.y, i & 4 ? max.z : min.z};

@@ -20,6 +20,7 @@ struct OrientedBox {
     }
     glm::dvec3 point(const glm::dvec3& q) const { return corner + q.x * u + q.y * w + q.z * t; }
     glm::dvec3 center() const { return point(0.5 * extent); }
+    bool operator==(const OrientedBox&) const = default;
 };
 
 /// The box around `points` with its depth along `direction` (unit) and the smallest footprint that any turn

@@ -5,309 +5,230 @@
 
 #include "engine/Limits.h"
 #include "gl/Guard.h"
-#include "plan/FlatWater.h"
 #include "plan/Framing.h"
-#include "plan/MapPlan.h"
-#include "plan/SunDisc.h"
-#include "plan/WaveTerms.h"
-#include "scene/MethodFacts.h"
 
 namespace limpid {
 
-using Scope = gl::PassTimers::Scope;
+namespace {
+
+/// The scene without what a plan does not depend on.
+Scene asPlanned(Scene scene) {
+    const Scene plain;
+    scene.camera = plain.camera;
+    scene.skyRadiance = plain.skyRadiance;
+    scene.ambientRadiance = plain.ambientRadiance;
+    scene.caustics = plain.caustics;
+    scene.godrays = plain.godrays;
+    scene.water.absorption = plain.water.absorption;
+    scene.water.scattering = plain.water.scattering;
+    scene.water.anisotropy = plain.water.anisotropy;
+    for (Light& light : scene.lights) {
+        light.name.clear();
+        light.irradiance = light.intensity = glm::dvec3(1);
+    }
+    for (Receiver& receiver : scene.receivers)
+        receiver.name.clear();
+    return scene;
+}
+
+/// The time that the caustics of a picture at `time` are of.
+double causticsTimeOf(const CausticsSettings& settings, double time) {
+    return settings.refresh > 0 ? std::floor(time * settings.refresh + 1e-9) / settings.refresh : time;
+}
+
+/// Whether maps of both scenes have room in each other's place, so that nothing need be freed before the
+/// first is made.
+bool sameSizes(const Scene& a, const Scene& b) {
+    return a.caustics.method == b.caustics.method && a.caustics.fill == b.caustics.fill &&
+           a.caustics.mapSize == b.caustics.mapSize && a.caustics.planes == b.caustics.planes &&
+           a.water.grid == b.water.grid && a.lights.size() == b.lights.size() &&
+           a.receivers.size() == b.receivers.size();
+}
+
+} // namespace
 
 Engine::Engine(gl::Context& context)
-    : _context(context), _surface(context), _beamTracer(context), _sceneDepthPass(context),
-      _surfaceShadowPass(context), _levelMapPass(context), _smartSlicing(context),
-      _tangentPlanesPass(context), _planeDepthsPass(context), _drawnPlanes(context), _planeBeams(context),
-      _culling(context), _exactBeams(context), _discFilter(context) {}
+    : _context(context), _receivers(context), _water(context, _timers, _making), _lights(context),
+      _maps(context), _pictures(context) {}
 
 void Engine::requireScene(const Scene& scene, const gl::Context& context) {
     requireGrid(scene.water.grid, context.info());
     requirePlanes(scene.caustics, context.info());
 }
 
-void Engine::setScene(Scene scene) {
-    scene.camera = framedCamera(scene);
+/// All that a public call draws: in a state of its own, and with nothing half-made where it fails. Then
+/// nothing is kept: what is left on the GPU may be what there was no room for.
+template <typename Work>
+auto Engine::whole(Work&& work) {
+    const gl::Guard guard(_context);
+    try {
+        return work();
+    } catch (...) {
+        _lights.forget();
+        _maps.forget();
+        _water.forget();
+        throw;
+    }
+}
+
+void Engine::set(Scene scene) {
+    if (_asked && scene == *_asked) return;
     requireScene(scene, _context);
     const gl::Guard guard(_context);
-    Plan plan = planOf(scene);
-    uploadReceivers(scene, plan.origin);
-    _plan = std::move(plan);
+    if (!_asked || asPlanned(scene) != asPlanned(*_asked)) {
+        Plan plan = planOf(scene);
+        _receivers.set(scene.receivers, plan.origin);
+        _plan = std::move(plan);
+        _water.set(scene.water, _plan.patch, _plan.origin);
+        _lights.resize(scene.lights.size());
+        _maps.plan(scene, _plan);
+    }
+    if (!_asked || !sameSizes(scene, *_asked)) {
+        _lights.forget();
+        _maps.forget();
+    }
+    if (scene.caustics.texelsPerPixel <= 0) _maps.makeWhole();
+    _asked = scene;
     _scene = std::move(scene);
-    _maps.clear();
-    freeMaps();
-    for (const PlannedMap& planned : _plan.maps) {
-        ReceiverMaps& maps = _maps.emplace_back();
-        maps.light = planned.light;
-        maps.receiver = planned.receiver;
-        maps.facings = planned.facings;
-        maps.box = planned.box;
-        maps.gradients = planned.gradients;
-        maps.level.facing = planned.facing;
-        maps.inReach = planned.inReach;
-    }
-}
-
-/// Those of the scene before that come again are not made again, and all of them stay until the others are
-/// there.
-void Engine::uploadReceivers(const Scene& scene, const glm::dvec3& origin) {
-    std::vector<std::optional<ReceiverGeometry>> made(scene.receivers.size());
-    for (std::size_t i = 0; i < made.size(); ++i) {
-        const bool same =
-            i < _receivers.size() && origin == _plan.origin && scene.receivers[i] == _scene.receivers[i];
-        if (!same) made[i].emplace(_context, scene.receivers[i], origin);
-    }
-    const bool sameAll = made.size() == _receivers.size() &&
-                         std::none_of(made.begin(), made.end(), [](const auto& m) { return m.has_value(); });
-    if (!sameAll) _occluders.reset();
-    std::vector<ReceiverGeometry> receivers;
-    for (std::size_t i = 0; i < made.size(); ++i)
-        receivers.push_back(std::move(made[i] ? *made[i] : _receivers[i]));
-    _receivers = std::move(receivers);
-}
-
-void Engine::setLook(const Scene& scene) {
-    _scene.camera = scene.camera;
-    _scene.skyRadiance = scene.skyRadiance;
-    _scene.ambientRadiance = scene.ambientRadiance;
-    _scene.godrays = scene.godrays;
     _scene.camera = framedCamera(_scene);
 }
 
-void Engine::setCaustics(const CausticsSettings& settings) {
-    requirePlanes(settings, _context.info());
-    _scene.caustics = settings;
-    freeMaps();
+Frame Engine::frame() {
+    return {_context, _timers,    _making, _skipped,      _scene,
+            _plan,    _receivers, _water,  _causticsTime, _skipping};
 }
 
-/// Keeps which maps there are, and nothing of theirs on the GPU.
-void Engine::freeMaps() {
-    for (ReceiverMaps& maps : _maps) {
-        ReceiverMaps empty;
-        empty.receiver = maps.receiver;
-        empty.light = maps.light;
-        empty.facings = std::move(maps.facings);
-        empty.box = maps.box;
-        empty.inReach = maps.inReach;
-        empty.gradients = maps.gradients;
-        empty.level.facing = maps.level.facing;
-        maps = std::move(empty);
+/// An update to `time`, with caustics of another.
+void Engine::start(double causticsTime, double time) {
+    _causticsTime = causticsTime;
+    _time = time;
+    _skipped = {};
+    _water.readHosts();
+    for (MapWork& map : _maps.all())
+        map.culled = false;
+    if (!_reuse) _making.startAnew();
+}
+
+void Engine::makeLights(const Frame& frame) {
+    bool occluded = false;
+    for (int light = 0; light < _lights.count(); ++light) {
+        _lights.refract(frame, light);
+        _lights.findFirstHits(frame, light);
+        occluded = occluded || needsOccluders(frame, light);
     }
-    _lights.clear();
-    _lights.resize(_scene.lights.size());
-    _drawnPlanes.free();
-    _planeBeams.free();
-    _culling.free();
-    _exactBeams.free();
-    _discFilter.free();
-    if (_volumetric) _volumetric->free();
-    if (_stencil) _stencil->free();
-    if (_photonSplat) _photonSplat->free();
-    _lightsReady = false;
-    _causticsTime.reset();
-    _pictureHasLight = false;
+    if (!occluded) _receivers.freeOccluders();
+}
+
+void Engine::makeMap(const Frame& frame, MapWork& map) {
+    if (!_maps.draw(frame, _lights, map)) ++_skipped.levelMaps;
+    if (!_maps.fill(frame, _lights, map)) ++_skipped.causticMaps;
+}
+
+void Engine::makeAll(const Frame& frame) {
+    makeLights(frame);
+    for (MapWork& map : _maps.all())
+        makeMap(frame, map);
+    _water.at(_time);
 }
 
 void Engine::updateCaustics(double time) {
-    const gl::Guard guard(_context);
-    updateSurface(time);
-    for (ReceiverMaps& maps : _maps)
-        updateMaps(maps);
+    whole([&] {
+        start(time, time);
+        _maps.makeWhole();
+        makeAll(frame());
+    });
 }
 
-/// Water, and what becomes of every light in it. This, updateMaps and withPicture leave nothing
-/// half-made when the GPU runs out of memory: it would be taken for whole at the next update.
-void Engine::updateSurface(double time) try {
-    _skipped = {};
-    for (ReceiverMaps& maps : _maps)
-        maps.culled = false;
-    const bool rests =
-        _reuse && _causticsTime && !isLive(_scene.water) && (*_causticsTime == time || !moves(_scene.water));
-    if (rests) return;
-    _causticsTime = time;
-    _pictureHasLight = false;
-    {
-        Scope scope(_timers, "water");
-        _surface.update(_scene.water, _plan.patch, _plan.origin, time);
-        _waterTime = time;
+void Engine::updateForPictures(double time) {
+    whole([&] {
+        start(causticsTimeOf(_scene.caustics, time), time);
+        makeAll(frame());
+    });
+}
+
+Skipped Engine::skipped() const {
+    Skipped skipped = _skipped;
+    for (const MapWork& map : _maps.all()) {
+        if (!map.culled) continue;
+        const auto asked = map.askedBeams.read<std::uint32_t>(1).front();
+        skipped.beams += light(map.plan.light).mapBeams().triangleCount - std::int64_t(asked);
+        if (asked == 0) ++skipped.unlitMaps;
     }
-    for (int light = 0; light < int(_lights.size()) && !(_reuse && _lightsReady); ++light)
-        updateLight(light);
-    _lightsReady = true;
-    if (!needsOccluders()) _occluders.reset();
-    traceBeams();
-    for (ReceiverMaps& maps : _maps)
-        maps.filled = false;
-} catch (...) {
-    freeMaps();
-    throw;
+    return skipped;
 }
 
-void Engine::traceBeams() {
-    for (std::size_t i = 0; i < _lights.size(); ++i) {
-        LightState& state = _lights[i];
-        if (_skipping && isDark(int(i))) {
-            ++_skipped.lights;
-            continue;
+std::int64_t Engine::beamsDrawn(int index) const {
+    const LightWork& work = light(index);
+    if (_skipping && work.isDark()) return 0;
+    return work.tiles.quads == glm::ivec2(0) ? work.mapBeams().triangleCount : work.tiles.reachedBeams();
+}
+
+gl::Texture Engine::coverage(const MapWork& map) {
+    return whole([&] { return _maps.coverage(frame(), _lights, map); });
+}
+
+/// The maps that a picture of `size` shows, of as many texels as it asks for. Returns which.
+std::vector<bool> Engine::makeShown(const Frame& frame, glm::ivec2 size) {
+    for (MapWork& map : _maps.all())
+        map.halvings = halvingsFor(frame, map, size);
+    std::vector<bool> shown = shownMaps(frame, _lights, _maps, _water.at(_time), size);
+    for (std::size_t i = 0; i < shown.size(); ++i)
+        if (shown[i]) makeMap(frame, _maps.all()[i]);
+    return shown;
+}
+
+Picture Engine::render(double time, glm::ivec2 size) {
+    return whole([&] {
+        start(causticsTimeOf(_scene.caustics, time), time);
+        const Frame now = frame();
+        makeLights(now);
+        const std::vector<bool> shown = makeShown(now, size);
+        for (std::size_t i = 0; i < shown.size(); ++i)
+            if (const MapWork& map = _maps.all()[i]; !shown[i])
+                ++(isUnlit(map, light(map.plan.light)) ? _skipped.unlitMaps : _skipped.outOfView);
+        return draw(size);
+    });
+}
+
+/// Calls `use` with the frame and what a picture of `size` is drawn of; `goesOn`: one that was begun before.
+template <typename Use>
+auto Engine::picture(glm::ivec2 size, bool goesOn, Use&& use) {
+    return whole([&] {
+        const Skipped before = _skipped;
+        const Frame now = frame();
+        makeLights(now);
+        const std::vector<bool> shown = makeShown(now, size);
+        // What was left out is counted by updates.
+        _skipped.levelMaps = before.levelMaps, _skipped.causticMaps = before.causticMaps;
+        for (int light = 0; light < _lights.count(); ++light)
+            _lights.drawLampShadow(now, light);
+        const WaterMesh& surface = _water.at(_time);
+        if (!goesOn) {
+            // That make maps ready to be projected.
+            _skipped.unreadPasses += std::count(shown.begin(), shown.end(), false);
+            _pictures.drawGodrays(now, _lights, surface, size);
         }
-        Scope scope(_timers, "beams");
-        _beamTracer.trace(state.beams, _surface.mesh(),
-                          state.surfaceShadow.id() ? &state.surfaceShadow : nullptr);
-        traceLampWater(state);
-        if (cullsBeams()) _culling.update(state.tiles, state.mapBeams(), mapMesh(state));
-        for (DiscPoint& point : state.disc) {
-            _beamTracer.trace(point.beams, _surface.mesh(), state.beams.surfaceShadow);
-            if (cullsBeams()) _culling.update(point.tiles, point.beams, _surface.mesh());
-        }
-    }
+        return use(now, Pictures::Subject{_lights, _maps, shown, surface});
+    });
 }
 
-void Engine::updateMaps(ReceiverMaps& maps) try {
-    if (_reuse && maps.ready)
-        ++_skipped.levelMaps;
-    else
-        updateReceiver(maps);
-    maps.ready = true;
-    if (_reuse && maps.filled)
-        ++_skipped.causticMaps;
-    else
-        fill(maps), _pictureHasLight = false;
-    maps.filled = true;
-} catch (...) {
-    freeMaps();
-    throw;
+Picture Engine::draw(glm::ivec2 size) {
+    return picture(size, false, [&](const Frame& frame, const Pictures::Subject& subject) {
+        return _pictures.draw(frame, subject, size);
+    });
 }
 
-void Engine::updateLight(int index) {
-    const Light& light = _scene.lights[std::size_t(index)];
-    LightState& state = _lights[std::size_t(index)];
-    const LightFrameData& frame = _plan.lights[std::size_t(index)].frame;
-    state.farthest = _plan.lights[std::size_t(index)].farthest;
-    _beamTracer.prepare(state.beams, _surface.mesh(), light, _scene.water, frame);
-    prepareDisc(index, frame);
-    prepareLampWater(index, frame);
-    if (frame.surfaceShadowRect.z > 0) {
-        Scope scope(_timers, "surface shadow");
-        _surfaceShadowPass.draw(state.surfaceShadow, state.beams, _receivers);
-    }
-    state.sceneDepth = {};
-    if (needsSceneDepth(index)) drawSceneDepth(state.sceneDepth, state, _scene.caustics.mapSize);
-    if (needsOccluders(index) && !_occluders) {
-        Scope scope(_timers, "occluders");
-        _occluders = std::make_unique<Occluders>(_context, _scene.receivers, _plan.origin);
-    }
+PicturePass::Sketch Engine::beginPicture(glm::ivec2 size, int perPixel) {
+    return picture(size, false, [&](const Frame& frame, const Pictures::Subject& subject) {
+        return _pictures.begin(frame, subject, size, perPixel);
+    });
 }
 
-/// The other points of a disc look at what the middle does: they differ in where their rays come from alone.
-void Engine::prepareDisc(int index, const LightFrameData& middle) {
-    const Light& light = _scene.lights[std::size_t(index)];
-    std::vector<DiscPoint>& disc = _lights[std::size_t(index)].disc;
-    disc.clear();
-    if (!sumsBeams(_scene.caustics)) return;
-    const std::vector<Light> points = discPoints(light);
-    for (std::size_t i = 1; i < points.size(); ++i) {
-        LightFrameData frame = middle;
-        frame.direction = glm::vec4(glm::normalize(points[i].direction), 0);
-        _beamTracer.prepare(disc.emplace_back().beams, _surface.mesh(), points[i], _scene.water, frame);
-    }
-}
-
-/// What a method needs to know of a receiver.
-void Engine::updateReceiver(ReceiverMaps& maps) {
-    switch (_scene.caustics.method) {
-    case Method::LevelMap:
-    case Method::Stencil:
-        drawLevelMap(maps);
-        updatePlaneDepths(maps);
-        break;
-    case Method::LevelMapSmart:
-        drawLevelMap(maps);
-        slice(maps.level);
-        updatePlaneDepths(maps);
-        break;
-    case Method::ExactBeam:
-    case Method::PhotonSplat:
-        drawLevelMap(maps);
-        updateTangentPlanes(maps);
-        break;
-    case Method::Volumetric:
-        drawSlices(maps);
-        break;
-    }
-    if (!factsOf(_scene.caustics.method).sliceImages) updateTakenLight(maps);
-}
-
-void Engine::prepareMaps(ReceiverMaps& maps) {
-    const int size = mapSize(_scene, _plan.patch, maps.box, maps.level.facing);
-    const int planes = _scene.caustics.planes;
-    prepareLevelMap(_context, maps.level,
-                    {maps.box, *maps.facings, maps.gradients,
-                     std::max(size >> maps.halvings, std::min(size, 16)),
-                     std::max(planes >> maps.halvings, std::min(planes, 3)), _plan.origin});
-}
-
-LitReceiver Engine::litReceiver(const ReceiverMaps& maps) const {
-    const SceneDepth* sceneDepth = sceneDepthOf(maps);
-    // Alone and seen along the light, a receiver has nothing before it but itself.
-    const bool alone = maps.level.facing == 0 && _receivers.size() == 1 &&
-                       _scene.lights[std::size_t(maps.light)].type == LightType::Directional;
-    return {_receivers[std::size_t(maps.receiver)], maps.receiver, _lights[std::size_t(maps.light)].beams,
-            sceneDepth && !alone ? &sceneDepth->first : nullptr};
-}
-
-void Engine::drawLevelMap(ReceiverMaps& maps) {
-    Scope scope(_timers, "level map");
-    prepareMaps(maps);
-    _levelMapPass.draw(maps.level, litReceiver(maps));
-}
-
-void Engine::updateTangentPlanes(ReceiverMaps& maps) {
-    if (_skipping && isUnlit(maps)) {
-        ++_skipped.unreadPasses;
-        return;
-    }
-    Scope scope(_timers, "tangent planes");
-    const Occluders* occluders = factsOf(_scene.caustics.method).tangentPlanes ? occludersOf(maps) : nullptr;
-    std::optional<TangentPlanesPass::Rims> rims;
-    if (occluders)
-        rims.emplace(
-            TangentPlanesPass::Rims{*occluders, _lights[std::size_t(maps.light)].beams, maps.receiver});
-    _tangentPlanesPass.update(maps.tangents, maps.level, rims ? &*rims : nullptr);
-}
-
-void Engine::updatePlaneDepths(ReceiverMaps& maps) {
-    const CausticsSettings& settings = _scene.caustics;
-    if (factsOf(settings.method).fills && settings.fill == Fill::Drawn) return;
-    if (_skipping && isUnlit(maps)) {
-        ++_skipped.unreadPasses;
-        return;
-    }
-    Scope scope(_timers, "plane depths");
-    _planeDepthsPass.update(maps.depths, maps.level);
-}
-
-void Engine::drawSlices(ReceiverMaps& maps) {
-    Scope scope(_timers, "slice images");
-    if (!_volumetric) _volumetric = std::make_unique<Volumetric>(_context);
-    prepareMaps(maps);
-    _volumetric->drawSlices(maps.slices, maps.level, litReceiver(maps));
-}
-
-gl::Texture Engine::coverage(const ReceiverMaps& maps) {
-    const gl::Guard guard(_context);
-    Scope scope(_timers, "coverage");
-    if (!_coveragePass) _coveragePass = std::make_unique<CoveragePass>(_context);
-    return _coveragePass->draw(maps.level, _receivers[std::size_t(maps.receiver)],
-                               _lights[std::size_t(maps.light)].beams);
-}
-
-void Engine::slice(LevelMap& map) {
-    const CausticsSettings& settings = _scene.caustics;
-    Scope scope(_timers, "slicing");
-    if (settings.slicing == Slicing::Automatic && _skipping) _smartSlicing.dropEmptyPlanes(map);
-    if (settings.slicing == Slicing::Levels)
-        _smartSlicing.sliceByLevels(map, settings.depthLevels, settings.threshold);
+void Engine::drawRows(const PicturePass::Sketch& sketch, glm::ivec2 rows) {
+    picture(sketch.samples().size() / sketch.perPixel(), true,
+            [&](const Frame& frame, const Pictures::Subject& subject) {
+                _pictures.drawRows(frame, subject, sketch, rows);
+            });
 }
 
 } // namespace limpid

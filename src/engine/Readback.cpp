@@ -23,7 +23,7 @@ double depositedFlux(const MapData& map, double texelArea) {
 
 } // namespace
 
-MapData readMaps(const ReceiverMaps& maps, const glm::dvec3& origin, const gl::Texture* coverage) {
+MapData readMaps(const MapWork& maps, const glm::dvec3& origin, const gl::Texture* coverage) {
     const TexelFrame& frame = maps.level.frame;
     const auto position = maps.level.position.readFloats(GL_RG, 2);
     const auto normal = maps.level.normal.readFloats(GL_RG, 2);

@@ -24,6 +24,6 @@ std::vector<std::uint32_t> planeHistogram(const LevelMap& map);
 
 /// Waits for the GPU. `coverage`: Engine::coverage, by which `deposited` counts texels at rims by the part of
 /// them that the receiver covers; null: whole.
-MapData readMaps(const ReceiverMaps& maps, const glm::dvec3& origin, const gl::Texture* coverage = nullptr);
+MapData readMaps(const MapWork& maps, const glm::dvec3& origin, const gl::Texture* coverage = nullptr);
 
 } // namespace limpid

@@ -14,6 +14,7 @@ namespace limpid {
 /// As rays, gaps, cells and steps grow in number this is single scattering.
 class ExactShafts {
   public:
+    static bool does(GodrayMethod method) { return method == GodrayMethod::ExactShafts; }
     explicit ExactShafts(gl::Context& context);
 
     /// Adds to `target` the radiance that the water between the camera and what ends the view scatters to it.

@@ -13,6 +13,7 @@ namespace limpid {
 /// setting.
 class PhotonLines {
   public:
+    static bool does(GodrayMethod method) { return method == GodrayMethod::PhotonLines; }
     explicit PhotonLines(gl::Context& context);
 
     /// Adds to `target` the radiance that the water between the camera and what ends the view scatters to it.

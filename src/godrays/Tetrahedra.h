@@ -13,6 +13,7 @@ namespace limpid {
 /// through it; and the number of sub-volumes follows from what the water takes.
 class Tetrahedra {
   public:
+    static bool does(GodrayMethod method) { return method == GodrayMethod::Tetrahedra; }
     explicit Tetrahedra(gl::Context& context);
 
     /// Adds to `target` the radiance that the water between the camera and what ends the view scatters to it.

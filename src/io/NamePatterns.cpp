@@ -15,11 +15,12 @@ bool NamePatterns::match(const std::string& name) const {
 }
 
 NamePatterns parseWithout(TomlTable& receiver) {
-    constexpr std::string_view expected = "a list of names or patterns, such as [\"Water*\"]";
+    const KeyRow& key = keyNamed(receiverKeys, "without");
+    const std::string expected(key.text().expected);
     std::vector<std::string> patterns;
-    receiver.texts("without", patterns, expected);
+    receiver.texts(key.name, patterns, expected);
     for (const std::string& pattern : patterns)
-        if (pattern.empty()) receiver.fail("without", std::string(expected));
+        if (pattern.empty()) receiver.fail(key.name, expected);
     return NamePatterns(std::move(patterns));
 }
 

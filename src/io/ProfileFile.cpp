@@ -17,8 +17,13 @@ namespace limpid::io {
 
 namespace {
 
-constexpr int maxPlanes = 4096, maxMapSize = 16384, maxGrid = 8192; // as in a scene file
-constexpr std::size_t maxValues = 10000;                            ///< of one list
+constexpr std::size_t maxValues = 10000; ///< of one list
+
+/// As in a scene file.
+template <typename S, typename T>
+int mostOf(std::span<const Key<S>> keys, T S::*member) {
+    return int(keyOf(keys, member).range().max);
+}
 
 /// The values of a list, or the one that stands in its place.
 std::vector<const toml::node*> valuesOf(TomlTable& table, std::string_view key) {
@@ -67,6 +72,7 @@ void readWholes(TomlTable& table, std::string_view key, int max, std::vector<int
 }
 
 void readGrids(TomlTable& table, std::vector<glm::ivec2>& grids) {
+    const int maxGrid = mostOf(waterKeys, &Water::grid);
     for (const toml::node* node : valuesOf(table, "grids")) {
         std::vector<int> pair;
         const toml::array* array = node->as_array();
@@ -231,8 +237,8 @@ Profile loadProfile(const fs::path& file) {
         profile.methods.push_back(methodOf(table, "methods", name));
     for (const std::string& name : readTexts(table, "fills", "names of fills"))
         profile.fills.push_back(fillNamed(table, "fills", name));
-    readWholes(table, "planes", maxPlanes, profile.planes);
-    readWholes(table, "map_sizes", maxMapSize, profile.mapSizes);
+    readWholes(table, "planes", mostOf(causticsKeys, &CausticsSettings::planes), profile.planes);
+    readWholes(table, "map_sizes", mostOf(causticsKeys, &CausticsSettings::mapSize), profile.mapSizes);
     readGrids(table, profile.grids);
     readGodrays(table, profile.godrays);
     readSettings(table, profile.settings);
@@ -247,7 +253,7 @@ Profile loadProfile(const fs::path& file) {
             profile.methods.end())
             table.fail("baseline", "one of the methods that are run");
     }
-    table.number("time", profile.time, {.min = -1e9, .max = 1e9, .text = " from -1e9 to 1e9"});
+    table.number("time", profile.time, {.min = -1e9, .max = 1e9});
     std::int64_t picture[2] = {profile.picture.x, profile.picture.y};
     table.wholeNumbers("picture", picture, 1, 7680);
     profile.picture = {int(picture[0]), int(picture[1])};

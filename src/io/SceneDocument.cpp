@@ -14,7 +14,7 @@
 #include "io/SceneSettings.h"
 #include "io/TomlPatch.h"
 #include "io/TomlReader.h"
-#include "io/WaterPresets.h"
+#include "scene/WaterPresets.h"
 
 namespace fs = std::filesystem;
 

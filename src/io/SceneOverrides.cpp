@@ -21,11 +21,6 @@ struct Walk {
     std::string_view source; ///< `--set KEY=VALUE`
 };
 
-/// The arrays of tables that a scene may have without listing any entry.
-bool isArrayOfTables(std::string_view path) {
-    return path == "light" || path == "receiver" || path == "water.wave";
-}
-
 std::string tomlString(std::string_view text) {
     std::string result = "\"";
     for (const char c : text) {
@@ -102,9 +97,9 @@ void enter(Walk& walk, std::string& path) {
     const std::string key(takeSegment(walk.rest));
     path += (path.empty() ? "" : ".") + key;
     toml::node* child = walk.table->get(key);
-    if (!child && isArrayOfTables(path)) failEntry(walk, key, toml::array{});
+    if (!child && isListed(path)) failEntry(walk, key, toml::array{});
     if (!child) child = &walk.table->insert_or_assign(key, toml::table{}).first->second;
-    if (toml::array* array = child->as_array(); array && isArrayOfTables(path))
+    if (toml::array* array = child->as_array(); array && isListed(path))
         enterEntry(walk, *array, key);
     else if (child->is_table())
         walk.table = child->as_table();

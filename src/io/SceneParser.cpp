@@ -9,11 +9,11 @@
 #include "io/Files.h"
 #include "io/Gltf.h"
 #include "io/HeightImages.h"
-#include "io/TomlReader.h"
-#include "io/WaterBodies.h"
-#include "io/WaterPresets.h"
+#include "io/KeyReader.h"
 #include "scene/Sea.h"
 #include "scene/Shapes.h"
+#include "scene/WaterBodies.h"
+#include "scene/WaterPresets.h"
 
 namespace fs = std::filesystem;
 
@@ -24,124 +24,93 @@ namespace {
 constexpr std::size_t maxLights = 64;
 constexpr std::size_t maxReceivers = 4096;
 constexpr std::size_t maxWaves = 1024;
-constexpr std::size_t maxNameLength = 100;
+constexpr std::size_t maxNameLength = 100; ///< as the table of keys says
 
 using Names = std::set<std::string>;
 
 /// The entry's own name, or `prefix` and its number; unique among `taken`.
-std::string parseName(TomlTable& table, const char* prefix, std::size_t number, Names& taken) {
+std::string parseName(TomlTable& table, const KeyRow& key, const char* prefix, std::size_t number,
+                      Names& taken) {
     std::string name = fmt::format("{}{}", prefix, number);
-    const std::string expected =
-        fmt::format("a name of 1 to {} letters, digits, _, - and ., no dot in front", maxNameLength);
-    table.text("name", name, expected);
-    if (!isName(name)) table.fail("name", expected);
+    readKey(table, key, name);
+    if (!isName(name)) table.fail(key.name, std::string(key.text().expected));
     if (!taken.insert(name).second)
         throw InputError(fmt::format("{}expected a name that no other {} has, found \"{}\"",
-                                     table.where("name"), prefix, name));
+                                     table.where(key.name), prefix, name));
     return name;
 }
 
 Camera parseCamera(TomlTable table) {
     Camera camera;
-    table.vector("position", camera.position, anyNumber);
-    table.vector("target", camera.target, anyNumber);
-    table.direction("up", camera.up);
-    table.number("vertical_fov", camera.verticalFov,
-                 {.min = 0, .max = 180, .openMin = true, .openMax = true, .text = " > 0 and < 180"});
-    table.number("exposure", camera.exposure, {.min = -64, .max = 64, .text = " from -64 to 64"});
+    readKeys(table, cameraKeys, camera);
     table.finish();
     if (camera.position && camera.target && *camera.position == *camera.target)
         table.fail("target", "a point other than the position");
     return camera;
 }
 
-WaveType parseWaveType(TomlTable& table) {
-    return static_cast<WaveType>(table.choice("type", waveTypeNames));
+/// The place of the key's text in its names; 0, the default, if the key is absent.
+std::size_t parseChoice(TomlTable& table, const KeyRow& key) {
+    std::size_t choice = 0;
+    table.choice(key.name, choice, key.choice());
+    return choice;
 }
 
+WaveType parseWaveType(TomlTable& table) {
+    return WaveType(parseChoice(table, keyNamed(waveKeys, "type")));
+}
+
+/// What of a height map is not plain; loads its images.
 void parseHeightMap(TomlTable& table, Wave& wave, const fs::path& folder) {
+    const KeyRow &image = keyNamed(waveKeys, "image"), &place = keyNamed(waveKeys, "placement");
     std::string name;
-    const std::string expected = "the path of an image, or of a sequence with one %04d";
-    table.text("image", name, expected);
-    if (name.empty()) table.fail("image", expected);
+    readKey(table, image, name);
+    if (name.empty()) table.fail(image.name, std::string(image.text().expected));
     glm::dvec4 placement(0);
-    table.vector("placement", placement, anyNumber);
+    readKey(table, place, placement);
     if (placement.z <= 0 || placement.w <= 0)
-        table.fail("placement", "[x, z, width, depth] with width and depth > 0");
+        table.fail(place.name, "[x, z, width, depth] with width and depth > 0");
     wave.center = {placement.x, placement.y};
     wave.size = {placement.z, placement.w};
-    table.number("fps", wave.fps, positive);
     double fade = std::min(wave.size.x, wave.size.y) / 16;
-    table.number("fade", fade, nonNegative);
+    readKey(table, keyNamed(waveKeys, "fade"), fade);
     table.finish(" of a heightmap wave"); // before images are loaded
     try {
         wave.heights = openHeightImages(folder / name, fade / wave.size);
     } catch (const InputError& error) {
-        throw InputError(table.where("image") + error.what());
+        throw InputError(table.where(image.name) + error.what());
     }
 }
 
 void parsePhillips(TomlTable& table, Wave& wave) {
-    Wind wind;
-    table.direction("wind", wind.velocity);
-    if (const toml::node* size = table.value("size"); size && size->is_number()) {
-        table.number("size", wind.tile.x, positive);
-        wind.tile.y = wind.tile.x;
-    } else {
-        table.vector("size", wind.tile, positive);
-    }
-    table.wholeNumber("modes", wind.modes, Wind::minModes, Wind::maxModes);
-    if ((wind.modes & (wind.modes - 1)) != 0) table.fail("modes", "a power of two");
-    table.number("shortest", wind.shortest, positive);
-    std::int64_t seed = wind.seed;
-    table.wholeNumber("seed", seed, 0, 0xFFFFFFFF);
-    wind.seed = static_cast<std::uint32_t>(seed);
+    if ((wave.modes & (wave.modes - 1)) != 0) table.fail("modes", "a power of two");
     table.finish(" of a phillips wave");
-    if (!raiseSea(wave, wind))
+    if (!raiseSea(wave, windOf(wave)))
         table.fail("wind", fmt::format("a wind that raises waves of {:.3g} to {:.3g} m",
-                                       2 * std::min(wind.tile.x, wind.tile.y) / wind.modes,
-                                       std::max(wind.tile.x, wind.tile.y)));
-}
-
-void parseAnalyticWave(TomlTable& table, Wave& wave) {
-    table.number("wavelength", wave.wavelength, positive);
-    table.number("speed", wave.speed, anyNumber);
-    if (wave.type == WaveType::Noise) {
-        std::int64_t seed = wave.seed;
-        table.wholeNumber("octaves", wave.octaves, 1, 12);
-        table.wholeNumber("seed", seed, 0, 0xFFFFFFFF);
-        wave.seed = static_cast<std::uint32_t>(seed);
-    } else {
-        table.number("phase", wave.phase, anyNumber);
-    }
-    if (wave.type == WaveType::Cosine) table.direction("direction", wave.direction);
-    if (wave.type == WaveType::Circular) table.vector("center", wave.center, anyNumber);
-    table.finish(wave.type == WaveType::Noise      ? " of a noise wave"
-                 : wave.type == WaveType::Circular ? " of a circular wave"
-                                                   : " of a cosine wave");
+                                       2 * std::min(wave.size.x, wave.size.y) / wave.modes,
+                                       std::max(wave.size.x, wave.size.y)));
 }
 
 Wave parseWave(TomlTable table, const fs::path& folder) {
-    Wave wave;
-    wave.type = parseWaveType(table);
-    table.number("amplitude", wave.amplitude, anyNumber);
+    Wave wave = defaultWave(parseWaveType(table));
+    readKeys(table, waveKeys, wave);
     if (wave.type == WaveType::HeightMap)
         parseHeightMap(table, wave, folder);
     else if (wave.type == WaveType::Phillips)
         parsePhillips(table, wave);
-    else
-        parseAnalyticWave(table, wave);
+    table.finish(fmt::format(" of a {} wave", waveTypeNames[std::size_t(wave.type)]));
     return wave;
 }
 
 void parseWaves(TomlTable& table, Water& water, const fs::path& folder) {
-    const std::size_t preset = table.choice("preset", waterPresets);
+    const KeyRow& presetKey = keyNamed(waterKeys, "preset");
+    const std::size_t preset = parseChoice(table, presetKey);
     double scale = 1;
-    table.number("wave_scale", scale, anyNumber);
+    readKey(table, keyNamed(waterKeys, "wave_scale"), scale);
     std::vector<TomlTable> waves = table.tables("wave", maxWaves);
     table.finish();
-    if (table.has("preset")) {
-        if (!waves.empty()) table.fail("preset", "no preset beside the waves of [[water.wave]]");
+    if (table.has(presetKey.name)) {
+        if (!waves.empty()) table.fail(presetKey.name, "no preset beside the waves of [[water.wave]]");
         water.waves = presetWaves(preset, water.center.value_or(glm::dvec2(0)));
     }
     int heightMaps = 0;
@@ -158,88 +127,72 @@ void parseWaves(TomlTable& table, Water& water, const fs::path& folder) {
 
 Water parseWater(TomlTable table, const fs::path& folder) {
     Water water;
-    table.number("level", water.level, anyNumber);
-    table.vector("center", water.center, anyNumber);
-    table.vector("size", water.size, positive);
-    table.wholeNumbers("grid", water.grid, 8192);
-    table.number("ior", water.ior, {.min = 1, .max = 4, .text = " from 1 to 4"});
-    setWaterBody(table.choice("type", waterBodies), water);
-    table.vector("absorption", water.absorption, nonNegative);
-    table.vector("scattering", water.scattering, nonNegative);
-    table.number("anisotropy", water.anisotropy,
-                 {.min = -1, .max = 1, .openMin = true, .openMax = true, .text = " > -1 and < 1"});
+    setWaterBody(parseChoice(table, keyNamed(waterKeys, "type")), water);
+    readKeys(table, waterKeys, water);
     parseWaves(table, water, folder);
     return water;
 }
 
-void parseCone(TomlTable& table, Light& light) {
-    table.direction("direction", light.direction);
-    light.outerCone = 45;
-    table.number("outer_cone", light.outerCone,
-                 {.min = 0, .max = 90, .openMin = true, .text = " > 0 and <= 90"});
-    table.number("inner_cone", light.innerCone, nonNegative);
-    if (light.innerCone >= light.outerCone) table.fail("inner_cone", "a number below outer_cone");
-}
-
 Light parseLight(TomlTable table, std::size_t number, Names& taken) {
-    constexpr std::string_view types[] = {"directional", "point", "spot"};
-    Light light;
-    light.name = parseName(table, "light", number, taken);
-    const std::string_view type = types[table.choice("type", types)];
-    if (type != "directional") {
-        light.type = LightType::Point;
-        if (!table.has("position")) table.fail("position", "three numbers");
-        table.vector("position", light.position, anyNumber);
-        table.vector("intensity", light.intensity, nonNegative);
-        if (type == "spot") parseCone(table, light);
-        table.finish(type == "spot" ? " of a spot light" : " of a point light");
-    } else {
-        table.direction("direction", light.direction);
-        table.vector("irradiance", light.irradiance, nonNegative);
-        table.number("angular_diameter", light.angularDiameter,
-                     {.min = 0, .max = 10, .text = " from 0 to 10"});
-        table.finish(" of a directional light");
-    }
+    const std::string name = parseName(table, keyNamed(lightKeys, "name"), "light", number, taken);
+    const std::size_t type = parseChoice(table, keyNamed(lightKeys, "type"));
+    Light light = defaultLight(type);
+    light.name = name;
+    if (light.type == LightType::Point && !table.has("position")) table.fail("position", "three numbers");
+    readKeys(table, lightKeys, light);
+    if (light.isSpot() && light.innerCone >= light.outerCone)
+        table.fail("inner_cone", "a number below outer_cone");
+    table.finish(fmt::format(" of a {} light", lightTypeNames[type]));
     return light;
 }
 
-glm::vec3 parseAlbedo(TomlTable& table) {
-    glm::dvec3 albedo(0.8);
-    table.vector("albedo", albedo, nonNegative);
-    return glm::vec3(albedo);
+/// The row of a shape's key, as its own table has it: without the shape's name.
+KeyRow shapeKey(std::string_view shape, std::string_view name) {
+    KeyRow key = keyNamed(receiverKeys, fmt::format("{}.{}", shape, name));
+    key.name = name;
+    return key;
 }
 
-/// A shape's table: its size, which has no default.
-template <int N>
-glm::vec<N, double> parseSize(TomlTable& receiver, std::string_view shape) {
-    TomlTable table = *receiver.table(shape);
-    glm::vec<N, double> size(1.0);
-    if (!table.has("size")) table.fail("size", fmt::format("{} numbers > 0", N));
-    table.vector("size", size, positive);
+/// A shape's size, which has no default.
+template <typename Size>
+void parseSize(TomlTable& shape, const KeyRow& key, std::string_view numbers, Size& size) {
+    if (!shape.has(key.name)) shape.fail(key.name, fmt::format("{} > 0", numbers));
+    readKey(shape, key, size);
+}
+
+Mesh parsePlane(TomlTable table, const glm::vec3& albedo) {
+    glm::dvec2 size(1);
+    parseSize(table, shapeKey("plane", "size"), "2 numbers", size);
     table.finish();
-    return size;
+    return makePlane(size, albedo);
 }
 
-Mesh parseSphere(TomlTable& receiver, const glm::vec3& albedo) {
-    TomlTable table = *receiver.table("sphere");
+Mesh parseBox(TomlTable table, const glm::vec3& albedo) {
+    glm::dvec3 size(1);
+    parseSize(table, shapeKey("box", "size"), "3 numbers", size);
+    table.finish();
+    return makeBox(size, albedo);
+}
+
+Mesh parseSphere(TomlTable table, const glm::vec3& albedo) {
     double radius = 1;
     int segments = 32;
-    if (!table.has("radius")) table.fail("radius", "a number > 0");
-    table.number("radius", radius, positive);
-    table.wholeNumber("segments", segments, 4, 1024);
+    parseSize(table, shapeKey("sphere", "radius"), "a number", radius);
+    readKey(table, shapeKey("sphere", "segments"), segments);
     table.finish();
     return makeSphere(radius, albedo, segments);
 }
 
 std::shared_ptr<const Mesh> loadModel(TomlTable& table, const fs::path& folder, MeshCache& meshes) {
+    const KeyRow& key = keyNamed(receiverKeys, "gltf");
     std::string name;
-    table.text("gltf", name, "the path of a .glb or .gltf file");
+    readKey(table, key, name);
     const fs::path file = folder / name;
     const NamePatterns without = parseWithout(table);
     try {
         requireFile(file);
     } catch (const InputError& error) {
-        throw InputError(table.where("gltf") + error.what());
+        throw InputError(table.where(key.name) + error.what());
     }
     std::shared_ptr<const Mesh>& mesh = meshes[{fs::weakly_canonical(file), without}];
     if (!mesh) mesh = std::make_shared<const Mesh>(loadGltf(file, without));
@@ -254,22 +207,20 @@ std::shared_ptr<const Mesh> parseMesh(TomlTable& table, const fs::path& folder, 
         throw InputError(fmt::format("{}expected exactly one of plane, sphere, box and gltf, found {}",
                                      table.where(""), count == 0 ? "none" : std::to_string(count)));
     if (table.has("gltf")) return loadModel(table, folder, meshes);
-    const glm::vec3 albedo = parseAlbedo(table);
-    if (table.has("plane"))
-        return std::make_shared<const Mesh>(makePlane(parseSize<2>(table, "plane"), albedo));
-    if (table.has("box")) return std::make_shared<const Mesh>(makeBox(parseSize<3>(table, "box"), albedo));
-    return std::make_shared<const Mesh>(parseSphere(table, albedo));
+    glm::dvec3 color(0.8);
+    readKey(table, keyNamed(receiverKeys, "albedo"), color);
+    const glm::vec3 albedo(color);
+    if (auto plane = table.table("plane"))
+        return std::make_shared<const Mesh>(parsePlane(std::move(*plane), albedo));
+    if (auto box = table.table("box")) return std::make_shared<const Mesh>(parseBox(std::move(*box), albedo));
+    return std::make_shared<const Mesh>(parseSphere(*table.table("sphere"), albedo));
 }
 
 Receiver parseReceiver(TomlTable table, std::size_t number, Names& taken, const fs::path& folder,
                        MeshCache& meshes) {
     Receiver receiver;
-    receiver.name = parseName(table, "receiver", number, taken);
-    table.vector("translation", receiver.translation, anyNumber);
-    glm::dvec4 rotation(0, 0, 0, 1);
-    table.direction("rotation", rotation);
-    receiver.rotation = glm::normalize(glm::dquat(rotation.w, rotation.x, rotation.y, rotation.z));
-    table.vector("scale", receiver.scale, anyNumber);
+    receiver.name = parseName(table, keyNamed(receiverKeys, "name"), "receiver", number, taken);
+    readKeys(table, receiverKeys, receiver);
     if (receiver.scale.x == 0 || receiver.scale.y == 0 || receiver.scale.z == 0)
         table.fail("scale", "three numbers other than 0");
     const bool shape = !table.has("gltf");
@@ -278,68 +229,21 @@ Receiver parseReceiver(TomlTable table, std::size_t number, Names& taken, const 
     return receiver;
 }
 
-void parsePhotons(TomlTable& table, CausticsSettings& caustics) {
-    table.wholeNumbers("photon_grid", caustics.photonGrid, 8192);
-    caustics.photonGridOver =
-        static_cast<PhotonGridOver>(table.choice("photon_grid_over", photonGridOverNames));
-    table.wholeNumber("photon_subdivision", caustics.photonSubdivision, 1, 16);
-    table.vector("splat_size", caustics.splatSize, {.min = 1, .max = 256, .text = " from 1 to 256"});
-    if (caustics.splatSize.x > caustics.splatSize.y) table.fail("splat_size", "the smaller size first");
-    table.wholeNumber("filter_taps", caustics.filterTaps, 0, 32);
-    table.number("filter_radius", caustics.filterRadius, {.min = 0, .max = 64, .text = " from 0 to 64"});
+/// A table of plain keys: they go to `object`, which stays as it is without the table.
+template <typename S>
+void parsePlain(TomlTable& root, std::string_view section, std::span<const Key<S>> keys, S& object) {
+    std::optional<TomlTable> table = root.table(section);
+    if (!table) return;
+    readKeys(*table, keys, object);
+    table->finish();
 }
 
 CausticsSettings parseCaustics(TomlTable table) {
     CausticsSettings caustics;
-    std::vector<std::string_view> methods{methodName(caustics.method)};
-    for (const Method method : allMethods())
-        if (method != caustics.method) methods.push_back(methodName(method));
-    caustics.method =
-        *methodFromName(methods[table.choice("method", methods, " (the methods there are so far)")]);
-    table.wholeNumber("map_size", caustics.mapSize, 1, 16384);
-    table.number("texels_per_pixel", caustics.texelsPerPixel, {.min = 0, .max = 64, .text = " from 0 to 64"});
-    table.number("refresh", caustics.refresh, {.min = 0, .max = 1000, .text = " from 0 to 1000"});
-    table.wholeNumber("planes", caustics.planes, 1, 4096);
-    std::vector<std::string_view> fills{fillName(caustics.fill)};
-    for (const Fill fill : allFills())
-        if (fill != caustics.fill) fills.push_back(fillName(fill));
-    caustics.fill = *fillFromName(fills[table.choice("fill", fills)]);
-    constexpr std::string_view slicings[] = {"automatic", "levels"};
-    caustics.slicing = static_cast<Slicing>(table.choice("slicing", slicings));
-    table.wholeNumber("depth_levels", caustics.depthLevels, 1, 4096);
-    table.number("threshold", caustics.threshold,
-                 {.min = 0, .max = 1, .openMin = true, .text = " > 0 and <= 1"});
-    parsePhotons(table, caustics);
+    readKeys(table, causticsKeys, caustics);
+    if (caustics.splatSize.x > caustics.splatSize.y) table.fail("splat_size", "the smaller size first");
     table.finish();
     return caustics;
-}
-
-void parseRadiance(TomlTable& root, std::string_view key, glm::dvec3& radiance) {
-    std::optional<TomlTable> table = root.table(key);
-    if (!table) return;
-    table->vector("radiance", radiance, nonNegative);
-    table->finish();
-}
-
-GodraySettings parseGodrays(TomlTable table) {
-    GodraySettings godrays;
-    std::vector<std::string_view> methods;
-    for (const GodrayMethod method : allGodrayMethods())
-        methods.push_back(godrayMethodName(method));
-    godrays.method = allGodrayMethods()[table.choice("method", methods)];
-    constexpr std::string_view phases[] = {"henyey-greenstein", "schlick"};
-    godrays.phase = static_cast<Phase>(table.choice("phase", phases));
-    table.wholeNumbers("grid", godrays.grid, 4096);
-    table.wholeNumber("subdivision", godrays.subdivision, 1, 16);
-    table.wholeNumber("planes", godrays.planes, 1, 1024);
-    table.wholeNumber("steps", godrays.steps, 1, 4096);
-    table.wholeNumber("sub_volumes", godrays.subVolumes, 0, 256);
-    table.number("scale", godrays.scale, {.min = 0, .max = 1, .openMin = true, .text = " > 0 and <= 1"});
-    table.number("line_width", godrays.lineWidth, {.min = 0.5, .max = 256, .text = " from 0.5 to 256"});
-    table.wholeNumber("filter_taps", godrays.filterTaps, 0, 32);
-    table.number("filter_radius", godrays.filterRadius, {.min = 0, .max = 64, .text = " from 0 to 64"});
-    table.finish();
-    return godrays;
 }
 
 /// Names become `RECEIVER.LIGHT.…` in file names, where dots inside of them could make two pairs one.
@@ -372,10 +276,11 @@ Scene parseScene(const toml::table& root, const fs::path& file, MeshCache& meshe
     Names lightNames, receiverNames;
     for (TomlTable& light : table.tables("light", maxLights))
         scene.lights.push_back(parseLight(std::move(light), scene.lights.size(), lightNames));
-    parseRadiance(table, "sky", scene.skyRadiance);
-    parseRadiance(table, "ambient", scene.ambientRadiance);
+    parsePlain(table, "sky", skyKeys, scene);
+    parsePlain(table, "ambient", ambientKeys, scene);
     if (auto caustics = table.table("caustics")) scene.caustics = parseCaustics(std::move(*caustics));
-    if (auto godrays = table.table("godrays")) scene.godrays = parseGodrays(std::move(*godrays));
+    if (table.has("godrays")) scene.godrays.method = GodrayMethod::None; // unless it says more
+    parsePlain(table, "godrays", godrayKeys, scene.godrays);
     std::vector<TomlTable> receivers = table.tables("receiver", maxReceivers);
     table.finish(); // before files are loaded: a misspelt key should not have to wait for them
     if (water) scene.water = parseWater(std::move(*water), folder);

@@ -15,8 +15,9 @@ struct Setting {
 };
 
 /// Every key that a scene's plain data say; shapes, files and names of the entries are not among them.
-/// Numbers come back from a file as they are here. Water that is one of the named bodies (io/WaterBodies.h)
-/// gives its name in place of what that stands for. Waves of height maps give their amplitude alone.
+/// Numbers come back from a file as they are here. Water that is one of the named bodies
+/// (scene/WaterBodies.h) gives its name in place of what that stands for. Waves of height maps give their
+/// amplitude alone.
 std::vector<Setting> settingsOf(const Scene& scene);
 
 /// The entry of a wave, but for height maps: key by key.

@@ -37,8 +37,6 @@ void describeInto(const toml::node& node, std::string& text) {
     }
 }
 
-constexpr std::array<std::string_view, 5> countWords = {"no", "one", "two", "three", "four"};
-
 std::size_t editDistance(std::string_view a, std::string_view b) {
     std::vector<std::size_t> row(b.size() + 1);
     for (std::size_t j = 0; j <= b.size(); ++j)
@@ -55,9 +53,8 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
     return row[b.size()];
 }
 
-std::string expectedNumbers(std::size_t count, std::string_view what, std::string_view range) {
-    if (count == 1) return fmt::format("a {}{}", what, range);
-    return fmt::format("{} {}s{}", countWords[std::min<std::size_t>(count, 4)], what, range);
+std::string expectedWholes(std::size_t count, std::int64_t min, std::int64_t max) {
+    return expectedNumbers(count, true, fmt::format(" from {} to {}", min, max));
 }
 
 /// Takes whole numbers too, as TOML writes 1 for 1.0.
@@ -202,7 +199,7 @@ void TomlTable::fail(std::string_view key, const std::string& expected) const {
 
 void TomlTable::number(std::string_view key, double& value, const Range& range) {
     const toml::node* node = find(key);
-    if (node && !toNumber(*node, range, value)) fail(key, expectedNumbers(1, "number", range.text));
+    if (node && !toNumber(*node, range, value)) fail(key, expectedNumbers(1, false, range.text()));
 }
 
 void TomlTable::numbers(std::string_view key, std::span<double> values, const Range& range) {
@@ -212,13 +209,12 @@ void TomlTable::numbers(std::string_view key, std::span<double> values, const Ra
     bool good = array && array->size() == values.size();
     for (std::size_t i = 0; good && i < values.size(); ++i)
         good = toNumber(*array->get(i), range, values[i]);
-    if (!good) fail(key, expectedNumbers(values.size(), "number", range.text));
+    if (!good) fail(key, expectedNumbers(values.size(), false, range.text()));
 }
 
 void TomlTable::wholeNumber(std::string_view key, std::int64_t& value, std::int64_t min, std::int64_t max) {
     const toml::node* node = find(key);
-    if (node && !toWholeNumber(*node, min, max, value))
-        fail(key, expectedNumbers(1, "whole number", fmt::format(" from {} to {}", min, max)));
+    if (node && !toWholeNumber(*node, min, max, value)) fail(key, expectedWholes(1, min, max));
 }
 
 void TomlTable::wholeNumbers(std::string_view key, std::span<std::int64_t> values, std::int64_t min,
@@ -229,20 +225,7 @@ void TomlTable::wholeNumbers(std::string_view key, std::span<std::int64_t> value
     bool good = array && array->size() == values.size();
     for (std::size_t i = 0; good && i < values.size(); ++i)
         good = toWholeNumber(*array->get(i), min, max, values[i]);
-    if (!good)
-        fail(key, expectedNumbers(values.size(), "whole number", fmt::format(" from {} to {}", min, max)));
-}
-
-void TomlTable::wholeNumber(std::string_view key, int& value, int min, int max) {
-    std::int64_t number = value;
-    wholeNumber(key, number, min, max);
-    value = static_cast<int>(number);
-}
-
-void TomlTable::wholeNumbers(std::string_view key, glm::ivec2& values, int max) {
-    std::array<std::int64_t, 2> numbers = {values.x, values.y};
-    wholeNumbers(key, numbers, 1, max);
-    values = {static_cast<int>(numbers[0]), static_cast<int>(numbers[1])};
+    if (!good) fail(key, expectedWholes(values.size(), min, max));
 }
 
 void TomlTable::text(std::string_view key, std::string& value, std::string_view expected) {
@@ -270,17 +253,18 @@ void TomlTable::flag(std::string_view key, bool& value) {
     value = node->as_boolean()->get();
 }
 
-std::size_t TomlTable::choice(std::string_view key, std::span<const std::string_view> names,
-                              std::string_view remark) {
+void TomlTable::choice(std::string_view key, std::size_t& value, const Choice& names) {
     const toml::node* node = find(key);
-    if (!node) return 0;
+    if (!node) return;
     const auto* string = node->as_string();
-    const auto found = std::find(names.begin(), names.end(), string ? string->get() : std::string());
-    if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
-    std::string expected;
-    for (std::size_t i = 0; i < names.size(); ++i)
-        expected += fmt::format("{}\"{}\"", i == 0 ? "" : i + 1 == names.size() ? " or " : ", ", names[i]);
-    fail(key, expected + std::string(remark));
+    std::vector<std::string_view> all(names.names.begin(), names.names.end());
+    const auto found = std::find(all.begin(), all.end(), string ? string->get() : std::string());
+    if (found == all.end()) {
+        std::rotate(all.begin(), all.begin() + std::ptrdiff_t(value),
+                    all.begin() + std::ptrdiff_t(value) + 1);
+        fail(key, eitherOf(all, '"') + std::string(names.remark));
+    }
+    value = std::size_t(found - all.begin());
 }
 
 std::optional<TomlTable> TomlTable::table(std::string_view key) {

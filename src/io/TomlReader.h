@@ -11,25 +11,11 @@
 #include <glm/glm.hpp>
 #include <toml++/toml.h>
 
+#include "scene/Keys.h"
+
 /// Checked access to TOML tables: every error names file, line, column, key, what was expected and what was
 /// found; a key that nobody asked for is an error.
 namespace limpid::io {
-
-/// The numbers that a key takes. All are finite and at most 10¹² in size, so that squares and products of
-/// three stay finite in single precision.
-struct Range {
-    double min = -1e12;
-    double max = 1e12;
-    bool openMin = false;    ///< `min` itself is not allowed
-    bool openMax = false;    ///< `max` itself is not allowed
-    std::string_view text{}; ///< completes "expected a number …"
-
-    bool contains(double x) const { return (openMin ? x > min : x >= min) && (openMax ? x < max : x <= max); }
-};
-
-inline constexpr Range anyNumber{.text = " from -1e12 to 1e12"};
-inline constexpr Range positive{.min = 0, .openMin = true, .text = " > 0 and <= 1e12"};
-inline constexpr Range nonNegative{.min = 0, .text = " from 0 to 1e12"};
 
 /// What `--set KEY=VALUE` gave, as TOML keeps it: values of overrides carry it as their source.
 inline constexpr std::string_view overridePrefix = "--set ";
@@ -65,31 +51,11 @@ class TomlTable {
     void wholeNumber(std::string_view key, std::int64_t& value, std::int64_t min, std::int64_t max);
     void wholeNumbers(std::string_view key, std::span<std::int64_t> values, std::int64_t min,
                       std::int64_t max);
-    void wholeNumber(std::string_view key, int& value, int min, int max);
-    /// Both at least 1.
-    void wholeNumbers(std::string_view key, glm::ivec2& values, int max);
     void text(std::string_view key, std::string& value, std::string_view expected);
 
-    /// The place of the key's text in `names`; 0, the default, if the key is absent.
-    std::size_t choice(std::string_view key, std::span<const std::string_view> names,
-                       std::string_view remark = {});
-
-    template <int N>
-    void vector(std::string_view key, glm::vec<N, double>& value, const Range& range) {
-        numbers(key, std::span<double>(&value[0], N), range);
-    }
-
-    template <int N>
-    void vector(std::string_view key, std::optional<glm::vec<N, double>>& value, const Range& range) {
-        if (has(key)) vector(key, value.emplace(), range);
-    }
-
-    /// Any length but 0; comes out as it went in.
-    template <int N>
-    void direction(std::string_view key, glm::vec<N, double>& value) {
-        vector(key, value, anyNumber);
-        if (has(key) && !(glm::dot(value, value) > 1e-24)) fail(key, "a vector of a length > 0");
-    }
+    /// `value`: the place of the key's text in the names. An error lists the default, which is `value`
+    /// before, first.
+    void choice(std::string_view key, std::size_t& value, const Choice& names);
 
     std::optional<TomlTable> table(std::string_view key);
 

@@ -45,12 +45,12 @@ void requireCall(bool there, const char* call, const char* expected) {
     if (!there) throw InputError(fmt::format("{}: expected {}, got no such call", call, expected));
 }
 
-LitMap litMap(const Engine& engine, const ReceiverMaps& maps) {
+LitMap litMap(const Engine& engine, const MapWork& maps) {
     TexelFrame frame = maps.level.frame;
     frame.box.corner -= engine.origin();
     LitMap lit;
-    lit.receiver = maps.receiver;
-    lit.light = maps.light;
+    lit.receiver = maps.plan.receiver;
+    lit.light = maps.plan.light;
     lit.size = frame.size;
     lit.texel = frame.texel;
     lit.depth = frame.box.extent.z;
@@ -79,7 +79,7 @@ void Caustics::set(Scene scene) {
     requireScene(scene);
     requireHostTextures(scene.water);
     requireHostBuffers(scene.receivers);
-    _impl->engine.setScene(std::move(scene));
+    _impl->engine.set(std::move(scene));
     _impl->isSet = true;
     _impl->isUpdated = false;
 }
@@ -102,7 +102,7 @@ void Caustics::update(double seconds) {
 std::vector<LitMap> Caustics::maps() const {
     requireCall(_impl->isUpdated, "maps", "update() since the last set() or render()");
     std::vector<LitMap> lit;
-    for (const ReceiverMaps& maps : _impl->engine.maps())
+    for (const MapWork& maps : _impl->engine.maps())
         lit.push_back(litMap(_impl->engine, maps));
     return lit;
 }

@@ -30,6 +30,7 @@ struct Facings {
 
     /// The way map k is seen: unit.
     glm::dvec3 viewDirection(int k) const { return glm::normalize(light - axes[std::size_t(k)]); }
+    bool operator==(const Facings&) const = default;
 };
 
 /// How depth grows along a box's u and w on the faces that a map in it may hold, m/m. A plane has one
@@ -37,6 +38,7 @@ struct Facings {
 struct DepthGradients {
     glm::dvec2 mean{0}; ///< weighed by the area that is seen
     glm::dvec2 least{0}, most{0};
+    bool operator==(const DepthGradients&) const = default;
 };
 
 /// Of the faces of the receiver that belong to map `facing` (0: along the light) and lie below `level`

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <optional>
-#include <utility>
 
 #include "core/Optics.h"
 #include "core/Tau.h"
@@ -35,15 +33,24 @@ std::vector<glm::dvec3> possibleNormals(double steepest) {
     return normals;
 }
 
+/// Rays flatter than this (sine of the angle to the level) come from slopes that the surface itself would
+/// hide.
+constexpr double flattest = 0.15;
+
+/// Where rays come from, and whether some are flatter than is looked at and come from further away.
+struct Starts : Bounds {
+    bool flatter = false;
+};
+
 /// Where rays to `point` may start: each possible normal bends the light at the flat crossing.
-void addStarts(Bounds& starts, const Light& light, const Water& water, const glm::dvec3& point,
+void addStarts(Starts& starts, const Light& light, const Water& water, const glm::dvec3& point,
                const std::vector<glm::dvec3>& normals) {
     const glm::dvec3 entry = entryPoint(light, water, point);
     const double below = water.level - point.y;
     for (const glm::dvec3& normal : normals) {
         const glm::dvec3 t = refractedAt(light, water, entry, normal);
-        // Rays flatter than this come from slopes that the surface itself would hide.
-        const double down = std::max(-t.y, 0.15);
+        const double down = std::max(-t.y, flattest);
+        starts.flatter = starts.flatter || -t.y < flattest;
         starts.add({point.x - t.x * below / down, water.level, point.z - t.z * below / down});
     }
 }
@@ -75,7 +82,7 @@ std::vector<glm::dvec3> outermost(const Bounds& box, const Light& light) {
 }
 
 /// From where rays of a light, bent by any slope there may be, reach a box below the level.
-void addStarts(Bounds& starts, const Light& light, const Water& water, const Bounds& wet,
+void addStarts(Starts& starts, const Light& light, const Water& water, const Bounds& wet,
                const std::vector<glm::dvec3>& normals) {
     for (const Light& part : partsOf(light))
         for (const glm::dvec3& point : outermost(wet, light))
@@ -125,7 +132,7 @@ glm::dvec3 meanDirection(const Light& light, const Water& water, const glm::dvec
 WaterPatch coveringPatch(const Scene& scene) {
     const Water& water = scene.water;
     Bounds wet = worldBounds(scene);
-    Bounds starts;
+    Starts starts;
     wet.max.y = std::min(wet.max.y, water.level);
     if (!wet.empty() && wet.min.y < water.level) {
         const auto normals = possibleNormals(steepestSlope(water));
@@ -155,36 +162,44 @@ glm::vec4 rectOf(const WaterPatch& patch, const glm::dvec3& origin) {
 
 namespace {
 
-/// x and z of the corners of where light on its way to a box below the level starts; nothing if none does.
-std::optional<std::pair<glm::dvec2, glm::dvec2>> startsOf(const Water& water, const Light& light,
-                                                          const Bounds& wet) {
-    Bounds starts;
+/// Where light on its way to a box below the level starts; empty if none does.
+Starts startsOf(const Water& water, const Light& light, const Bounds& wet) {
+    Starts starts;
     if (!wet.empty()) addStarts(starts, light, water, wet, possibleNormals(steepestSlope(water)));
-    if (starts.empty()) return std::nullopt;
+    if (starts.empty()) return starts;
     const double lift = 2 * highestWave(water);
-    return std::pair(glm::dvec2(starts.min.x, starts.min.z) - lift,
-                     glm::dvec2(starts.max.x, starts.max.z) + lift);
+    starts.min -= glm::dvec3(lift, 0, lift), starts.max += glm::dvec3(lift, 0, lift);
+    return starts;
 }
 
 } // namespace
 
 WaterPatch lightingPatch(const Water& water, const Light& light, const Bounds& wet, const WaterPatch& patch) {
-    const auto starts = startsOf(water, light, wet);
-    if (!starts) return patch;
-    const glm::dvec2 low = glm::max(starts->first, patch.min());
-    const glm::dvec2 high = glm::min(starts->second, patch.min() + patch.size);
+    const Starts starts = startsOf(water, light, wet);
+    if (starts.empty()) return patch;
+    const glm::dvec2 low = glm::max(glm::dvec2(starts.min.x, starts.min.z), patch.min());
+    const glm::dvec2 high = glm::min(glm::dvec2(starts.max.x, starts.max.z), patch.min() + patch.size);
     if (high.x <= low.x || high.y <= low.y) return patch;
     return {0.5 * (low + high), high - low, patch.grid, {}};
 }
 
+Bounds entriesTo(const Water& water, const Light& light, const Bounds& wet) {
+    const Starts starts = startsOf(water, light, wet);
+    if (starts.empty()) return starts;
+    // Slopes are looked at in 24 directions, which leaves out a hundredth between them.
+    glm::dvec3 margin = (starts.flatter ? 1.0 : 0.05) * starts.size();
+    margin.y = highestWave(water);
+    return {starts.min - margin, starts.max + margin};
+}
+
 bool mayReach(const Water& water, const Light& light, const Bounds& wet, const WaterPatch& patch) {
-    const auto starts = startsOf(water, light, wet);
-    if (!starts) return false;
+    const Starts starts = startsOf(water, light, wet);
+    if (starts.empty()) return false;
     // Rays that are flatter than startsOf looks at come from further away.
-    const glm::dvec2 margin = starts->second - starts->first;
-    const glm::dvec2 low = starts->first - margin, high = starts->second + margin;
-    return glm::all(glm::lessThan(low, patch.min() + patch.size)) &&
-           glm::all(glm::greaterThan(high, patch.min()));
+    const glm::dvec2 low(starts.min.x, starts.min.z), high(starts.max.x, starts.max.z);
+    const glm::dvec2 margin = high - low;
+    return glm::all(glm::lessThan(low - margin, patch.min() + patch.size)) &&
+           glm::all(glm::greaterThan(high + margin, patch.min()));
 }
 
 } // namespace limpid

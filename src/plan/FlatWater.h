@@ -38,6 +38,7 @@ struct WaterPatch {
     std::array<std::vector<double>, 2> lines{};
 
     glm::dvec2 min() const { return center - 0.5 * size; }
+    bool operator==(const WaterPatch&) const = default;
 };
 
 /// A patch as shaders have it: x, z of its corner and extents, m, single precision relative to `origin`.
@@ -50,6 +51,10 @@ WaterPatch coveringPatch(const Scene& scene);
 
 /// False where no light that goes through `patch` can come to a box below the level (in the world).
 bool mayReach(const Water& water, const Light& light, const Bounds& wet, const WaterPatch& patch);
+
+/// A box around every place of the surface, waves included, where light enters that may come to a box below
+/// the level (in the world); empty where none can.
+Bounds entriesTo(const Water& water, const Light& light, const Bounds& wet);
 
 /// The part of `patch` from which one light may reach a box below the level (in the world): all of it where
 /// the light reaches none.

@@ -18,6 +18,8 @@ struct LightFrameData {
     glm::vec4 surface{0, 1.333, 0, 0};
     glm::vec4 surfaceShadowRect{0};
     glm::vec4 cone{-2, -3, 0, 0};
+
+    bool operator==(const LightFrameData&) const = default;
 };
 LightFrameData lightFrame(const Light& light, const Water& water, const glm::dvec3& origin);
 

@@ -30,6 +30,12 @@ void planReceiver(std::vector<PlannedMap>& plan, const Scene& scene, int receive
 
 } // namespace
 
+bool PlannedMap::operator==(const PlannedMap& other) const {
+    return receiver == other.receiver && light == other.light && facing == other.facing && box == other.box &&
+           gradients == other.gradients && inReach == other.inReach &&
+           (facings == other.facings || *facings == *other.facings);
+}
+
 std::vector<PlannedMap> planMaps(const Scene& scene, std::span<const PlannedReceiver> receivers,
                                  const WaterPatch& patch) {
     std::vector<PlannedMap> plan;

@@ -26,6 +26,8 @@ struct PlannedMap {
     OrientedBox box;                        ///< in the world
     DepthGradients gradients;
     bool inReach = true; ///< whether any of the water's light may come to the receiver
+
+    bool operator==(const PlannedMap& other) const; ///< facings by value
 };
 
 /// One for each light and each receiver that reaches into the water, lights outermost; after it, one for each

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "plan/Framing.h"
+#include "plan/LampPatch.h"
 
 namespace limpid {
 
@@ -38,7 +39,9 @@ double farthestWater(const Light& light, const Water& water, const std::vector<g
 }
 
 PlannedLight planLight(const Light& light, const Water& water, const Plan& plan) {
-    PlannedLight planned{entersWater(light, water), lightFrame(light, water, plan.origin)};
+    PlannedLight planned;
+    planned.enters = entersWater(light, water);
+    planned.frame = lightFrame(light, water, plan.origin);
     if (planned.enters) {
         std::vector<glm::dvec3> points;
         for (const PlannedReceiver& receiver : plan.receivers)
@@ -46,6 +49,7 @@ PlannedLight planLight(const Light& light, const Water& water, const Plan& plan)
         planned.frame.sceneDepthRect = sceneDepthRect(light, water, points, plan.origin);
         planned.farthest = farthestWater(light, water, points);
     }
+    planned.lampPatch = lampPatch(light, water, plan.patch);
     planned.frame.surfaceShadowRect = surfaceShadowRect(light, water, plan.patch, plan.dry, plan.origin);
     return planned;
 }

@@ -38,13 +38,7 @@ std::span<const Fill> allFills() {
 }
 
 std::string_view fillName(Fill fill) {
-    switch (fill) {
-    case Fill::Drawn:
-        return "drawn";
-    case Fill::OnePass:
-        return "one-pass";
-    }
-    return "";
+    return fillNames[std::size_t(fill)];
 }
 
 std::optional<Fill> fillFromName(std::string_view name) {
@@ -58,17 +52,7 @@ std::span<const GodrayMethod> allGodrayMethods() {
 }
 
 std::string_view godrayMethodName(GodrayMethod method) {
-    switch (method) {
-    case GodrayMethod::None:
-        return "none";
-    case GodrayMethod::PhotonLines:
-        return "photon-lines";
-    case GodrayMethod::ExactShafts:
-        return "exact-shafts";
-    case GodrayMethod::Tetrahedra:
-        return "tetrahedra";
-    }
-    return "";
+    return godrayMethodNames[std::size_t(method)];
 }
 
 Bounds worldBounds(const Receiver& receiver) {

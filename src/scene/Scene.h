@@ -57,6 +57,7 @@ struct Wave {
     std::shared_ptr<HeightSource> heights;    ///< height map: its frames, in a loop
     glm::dvec2 size{1};                       ///< height map (0 outside), phillips: along x and z, m
     double fps = 30;                          ///< height map: frames a second, > 0
+    int modes = 64;                           ///< phillips: a side of the spectrum, a power of two
     std::shared_ptr<const Spectrum> spectrum; ///< phillips (scene/Sea.h)
 
     bool operator==(const Wave&) const = default;
@@ -80,6 +81,9 @@ struct Water {
 };
 
 enum class LightType { Directional, Point };
+
+/// As scene files have them: a spot is a point light.
+inline constexpr std::string_view lightTypeNames[] = {"directional", "point", "spot"};
 
 /// A spot is a point light with a cone: in a direction at an angle a to its axis it has
 /// clamp((cos a - cos outer) / max(0.001, cos inner - cos outer), 0, 1)² of its intensity
@@ -124,7 +128,9 @@ enum class Fill { Drawn, OnePass };
 /// start from, as in the paper.
 enum class PhotonGridOver { Receiver, Water };
 
-/// As scene files have them, by PhotonGridOver.
+/// As scene files have them, in the order of their enumerations.
+inline constexpr std::string_view slicingNames[] = {"automatic", "levels"};
+inline constexpr std::string_view fillNames[] = {"drawn", "one-pass"};
 inline constexpr std::string_view photonGridOverNames[] = {"receiver", "water"};
 
 struct CausticsSettings {
@@ -151,6 +157,11 @@ struct CausticsSettings {
 
 enum class GodrayMethod { None, PhotonLines, ExactShafts, Tetrahedra };
 enum class Phase { HenyeyGreenstein, Schlick };
+
+/// Likewise.
+inline constexpr std::string_view godrayMethodNames[] = {"none", "photon-lines", "exact-shafts",
+                                                         "tetrahedra"};
+inline constexpr std::string_view phaseNames[] = {"henyey-greenstein", "schlick"};
 
 /// Light that the water scatters to a camera below the surface. Of photon lines, with the paper's settings.
 struct GodraySettings {

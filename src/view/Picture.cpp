@@ -104,7 +104,7 @@ PicturePass::Sketch PicturePass::begin(const Inputs& inputs, glm::ivec2 size, in
     sketch._view.bindUniform(viewBinding);
     const gl::NearIsOne reversed;
     const ReceiverPass::Inputs receivers = receiverInputs(inputs, frame);
-    _receivers.prepare(receivers, inputs.lightRests);
+    _receivers.prepare(receivers);
     sketch._refracted = Sketch::View(ledger, "refracted view", wide);
     if (frame.hasFarSide()) drawView(receivers, sketch._refracted.target, frame.farSide(), Way::Refracted);
     sketch._mirrored = Sketch::View(ledger, "mirrored view", frame.hasNearSide() ? wide : glm::ivec2(1));

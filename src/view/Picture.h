@@ -64,9 +64,7 @@ class PicturePass {
         std::span<const ReceiverGeometry> receivers;
         std::span<const Lit> lit;
         std::span<const Beams* const> lights; ///< in the scene's order
-        const gl::Texture* godrays =
-            nullptr;             ///< radiance to be added (shaders/view/godrays.frag); null: none
-        bool lightRests = false; ///< the caustic maps are those of the picture before
+        const gl::Texture* godrays = nullptr; ///< radiance to be added (shaders/view/godrays.frag); or none
     };
     Picture draw(const Inputs& inputs, glm::ivec2 size);
 

@@ -17,12 +17,12 @@ ReceiverPass::ReceiverPass(gl::Context& context)
       _receiver({"view/receiver.vert", "view/receiver.tesc", "view/receiver.tese", "levelmap/face.geom",
                  "view/receiver.frag"}) {}
 
-void ReceiverPass::prepare(const Inputs& inputs, bool rests) {
-    std::vector<GLuint> sources;
+void ReceiverPass::prepare(const Inputs& inputs) {
+    std::vector<Stamp> sources;
     for (const Lit& lit : inputs.lit)
-        sources.push_back(lit.caustics->irradiance.id());
-    if (rests && sources == _castsOf) return;
-    _castsOf = std::move(sources);
+        sources.push_back(lit.filled);
+    if (sources == _castsOf) return;
+    _castsOf.clear();
     _casts.clear();
     for (const Lit& lit : inputs.lit) {
         gl::Texture& cast =
@@ -33,6 +33,7 @@ void ReceiverPass::prepare(const Inputs& inputs, bool rests) {
         _castMap.dispatch2D(cast.size(), groupSize);
     }
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+    _castsOf = std::move(sources);
 }
 
 void ReceiverPass::drawOnce(const Inputs& inputs, const Drawn& drawn) {

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "caustics/CausticMap.h"
+#include "core/Kept.h"
 #include "gl/Context.h"
 #include "gl/Program.h"
 #include "levelmap/LevelMap.h"
@@ -22,6 +23,7 @@ struct Lit {
     int receiver;
     const LevelMap* level;
     const CausticMap* caustics;
+    Stamp filled; ///< when `caustics` was
 };
 
 /// Draws the receivers on one side of the water, lit by their caustic maps, by lights that come straight and
@@ -38,9 +40,8 @@ class ReceiverPass {
         const gl::Buffer& surfacePositions;   ///< of the water, as WaterMesh has it
         glm::vec3 camera;                     ///< m from the scene's origin
     };
-    /// Makes the caustic maps ready to be projected; `draw` shows these. `rests`: they are those of the last
-    /// time.
-    void prepare(const Inputs& inputs, bool rests);
+    /// Makes the caustic maps ready to be projected; `draw` shows these.
+    void prepare(const Inputs& inputs);
     /// Adds to `target`: radiance, distance if it has one (shaders/view/receiver.frag), depth (1 near by, 0
     /// far away); all cleared by the caller. The view frame is bound.
     void drawSolid(const Inputs& inputs, const gl::Framebuffer& target, Side side, Way way);
@@ -63,7 +64,7 @@ class ReceiverPass {
     gl::Context& _context;
     gl::Program _castMap, _receiver;
     std::vector<gl::Texture> _casts; ///< one for each of `lit`
-    std::vector<GLuint> _castsOf;    ///< the caustic maps that they are made of
+    std::vector<Stamp> _castsOf;     ///< when the caustic maps were filled that they are made of
 };
 
 } // namespace limpid

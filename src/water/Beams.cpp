@@ -11,6 +11,11 @@ constexpr int groupSize = 64;
 enum Uniform { Count };
 } // namespace
 
+glm::dvec3 strengthOf(const Light& light, const Water& water) {
+    if (!entersWater(light, water)) return glm::dvec3(0);
+    return light.type == LightType::Directional ? light.irradiance : light.intensity;
+}
+
 BeamTracer::BeamTracer(gl::Context& context)
     : _context(context), _rays({"water/beams.comp"}), _flux({"water/beam_flux.comp"}) {}
 
@@ -30,8 +35,7 @@ void BeamTracer::prepare(Beams& beams, const WaterMesh& surface, const Light& li
     }
     beams.frame = gl::Buffer(ledger, "beams", sizeof(LightFrameData), &frame);
     beams.rect = frame.sceneDepthRect;
-    beams.strength = light.type == LightType::Directional ? light.irradiance : light.intensity;
-    if (!entersWater(light, water)) beams.strength = glm::dvec3(0);
+    beams.strength = strengthOf(light, water);
 }
 
 void BeamTracer::trace(Beams& beams, const WaterMesh& surface, const gl::Texture* surfaceShadow) {

@@ -25,10 +25,13 @@ struct Beams {
     const gl::Texture* surfaceShadow = nullptr; ///< what those things leave dark; null if there are none
     const gl::Texture* lampShadow = nullptr;    ///< what a lamp under water sees; null for any other light
     glm::vec4 rect{0, 0, 1, 1};                 ///< sceneDepthRect of `frame`
-    glm::dvec3 strength{0}; ///< RGB, W/m² or W/sr; 0 for a light that does not enter the water
+    glm::dvec3 strength{0};                     ///< strengthOf its light
     int vertexCount = 0;
     int triangleCount = 0;
 };
+
+/// What a beam's flux is multiplied by, RGB, W/m² or W/sr; 0 for a light that does not enter the water.
+glm::dvec3 strengthOf(const Light& light, const Water& water);
 
 /// Refracts one light at every vertex of the surface and weighs every triangle.
 class BeamTracer {

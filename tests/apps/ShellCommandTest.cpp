@@ -1,9 +1,12 @@
 // What the shell and man are told, and what a slip of the pen is answered with.
+#include <algorithm>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "apps/RunProgram.h"
 #include "io/TempFolder.h"
+#include "scene/Keys.h"
 
 namespace limpid::test {
 namespace {
@@ -53,6 +56,21 @@ TEST(ShellCommand, theManualPageHasEveryCommandAndOption) {
     EXPECT_THAT(page.out, HasSubstr("\\-\\-after\\-frames"));
     EXPECT_THAT(page.out, HasSubstr(".SH EXIT STATUS\n"));
     EXPECT_THAT(page.out, HasSubstr("\\fBcaustics.method\\fR\n\"exact\\-beam\"\n"));
+}
+
+TEST(ShellCommand, theManualPageAndBashHaveEveryKey) {
+    const std::string page = run("man").out, offered = completions("limpid render --set \"\"", 3);
+    std::string keys = page.substr(page.find(".SH SCENE KEYS"));
+    keys.resize(keys.find(".SH EXIT STATUS"));
+    std::size_t listed = 0;
+    for (std::size_t at = 0; (at = keys.find(".TP\n", at)) != std::string::npos; ++at)
+        ++listed;
+    EXPECT_EQ(listed, sceneKeys().size());
+    EXPECT_EQ(std::size_t(std::count(offered.begin(), offered.end(), '=')), sceneKeys().size());
+    for (const KeyFacts& key : sceneKeys()) {
+        EXPECT_THAT(keys, HasSubstr(fmt::format("\\fB{}\\fR\n", key.path())));
+        EXPECT_THAT(offered, HasSubstr(key.path() + '='));
+    }
 }
 
 TEST(ShellCommand, aSlipIsAnsweredWithTheNearestName) {

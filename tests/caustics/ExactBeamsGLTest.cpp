@@ -211,7 +211,7 @@ TEST_F(ExactBeamsGLTest, restingWaterCostsNothing) {
     Engine& engine = sharedEngine();
     Scene scene = floorPastSphere();
     scene.water.waves = {scenes::cosine(0.01, 0.3, {1, 0.4})};
-    engine.setScene(scene);
+    engine.set(scene);
     engine.updateCaustics(0);
     const auto first = readMaps(engine.maps()[0], engine.origin()).irradiance;
     engine.timers().collect();
@@ -219,7 +219,7 @@ TEST_F(ExactBeamsGLTest, restingWaterCostsNothing) {
     EXPECT_TRUE(engine.timers().collect().empty());
 
     scene.water.waves[0].speed = 0.5;
-    engine.setScene(scene);
+    engine.set(scene);
     engine.updateCaustics(0);
     engine.timers().collect();
     engine.updateCaustics(1);

@@ -75,14 +75,14 @@ Scene largeBeams() {
 
 class PlaneBeamsGLTest : public EngineGLTest, public ::testing::WithParamInterface<PlaneCase> {
   protected:
-    static PlaneBeams::Inputs inputsOf(const Engine& engine, const ReceiverMaps& maps) {
+    static PlaneBeams::Inputs inputsOf(const Engine& engine, const MapWork& maps) {
         return {maps.level,
                 maps.depths,
-                engine.light(maps.light).beams,
+                engine.light(maps.plan.light).beams,
                 engine.waterMesh(),
                 engine.waterPatch(),
                 engine.scene().water,
-                engine.scene().lights[std::size_t(maps.light)]};
+                engine.scene().lights[std::size_t(maps.plan.light)]};
     }
     static std::vector<float> filled(PlaneBeams& pass, const PlaneBeams::Inputs& inputs,
                                      PlaneBeams::Dispatch dispatch = PlaneBeams::Dispatch::Once) {
@@ -94,10 +94,10 @@ class PlaneBeamsGLTest : public EngineGLTest, public ::testing::WithParamInterfa
 
 TEST_P(PlaneBeamsGLTest, givesTheSameBitsPlaneByPlane) {
     Engine engine(context());
-    engine.setScene(GetParam().scene());
+    engine.set(GetParam().scene());
     engine.updateCaustics(0);
     PlaneBeams pass(context()), cramped(context(), 4);
-    for (const ReceiverMaps& maps : engine.maps()) {
+    for (const MapWork& maps : engine.maps()) {
         const PlaneBeams::Inputs inputs = inputsOf(engine, maps);
         const auto once = filled(pass, inputs);
         EXPECT_EQ(once, maps.caustics.irradiance.readFloats(GL_RGBA, 4)) << "the engine's own";
@@ -110,8 +110,8 @@ TEST_P(PlaneBeamsGLTest, givesTheSameBitsPlaneByPlane) {
 /// The beams of a map as they are cut with its planes, in double precision, texels.
 class BeamEdges {
   public:
-    BeamEdges(const Engine& engine, const ReceiverMaps& maps) : _texel(maps.level.frame.texel) {
-        const Beams& beams = engine.light(maps.light).beams;
+    BeamEdges(const Engine& engine, const MapWork& maps) : _texel(maps.level.frame.texel) {
+        const Beams& beams = engine.light(maps.plan.light).beams;
         const auto origins = beams.origins.read<glm::vec4>(std::size_t(beams.vertexCount));
         const auto directions = beams.directions.read<glm::vec4>(std::size_t(beams.vertexCount));
         _indices = engine.waterMesh().indices.read<std::uint32_t>(3 * std::size_t(beams.triangleCount));
@@ -168,15 +168,15 @@ TEST_P(PlaneBeamsGLTest, differsFromTheDrawnFormAtEdgesOnly) {
     Scene scene = GetParam().scene();
     scene.caustics.fill = Fill::Drawn;
     Engine drawing(context()), engine(context());
-    drawing.setScene(scene);
+    drawing.set(scene);
     drawing.updateCaustics(0);
     scene.caustics.fill = Fill::OnePass;
-    engine.setScene(scene);
+    engine.set(scene);
     engine.updateCaustics(0);
     int texels = 0, differing = 0, wrong = 0;
     double least = 0, worstOff = 0, total = 0;
     for (std::size_t m = 0; m < engine.maps().size(); ++m) {
-        const ReceiverMaps& maps = engine.maps()[m];
+        const MapWork& maps = engine.maps()[m];
         const auto ours = maps.caustics.irradiance.readFloats(GL_RGBA, 4);
         const auto drawn = drawing.maps()[m].caustics.irradiance.readFloats(GL_RGBA, 4);
         const auto position = maps.level.position.readFloats(GL_RG, 2);

@@ -62,7 +62,7 @@ class VolumetricGLTest : public EngineGLTest {
         double hiddenPart() const { return double(hidden) / seen; }
         double hiddenFluxPart() const { return hiddenFlux / seenFlux; }
     };
-    static Layers layersOf(const ReceiverMaps& maps) {
+    static Layers layersOf(const MapWork& maps) {
         const auto position = maps.slices.position.readFloats(GL_RG, 2);
         const auto normal = maps.slices.normal.readFloats(GL_RG, 2);
         const auto caustics = maps.slices.caustics.readFloats(GL_RGBA, 4);
@@ -201,7 +201,7 @@ TEST_F(VolumetricGLTest, aFloorAcrossManySlicesTakesAllOfTheLight) {
 TEST_F(VolumetricGLTest, memoryGrowsWithEveryPlane) {
     const std::int64_t texels = 128 * 128;
     std::int64_t levelMap = 0;
-    sharedEngine().setScene(Scene());
+    sharedEngine().set(Scene());
     const std::int64_t held = context().ledger().total();
     {
         Engine engine(context());
@@ -227,7 +227,7 @@ TEST_F(VolumetricGLTest, everyTexelOfTheSlicesIsWritten) {
     Scene scene = sceneOf("sphere", 20, 5);
     addWaves(scene);
     const Baked first = bake(engine, scene);
-    const ReceiverMaps& maps = engine.maps()[0];
+    const MapWork& maps = engine.maps()[0];
     const glm::vec4 sentinel(7);
     glClearTexImage(maps.slices.position.id(), 0, GL_RG, GL_FLOAT, &sentinel.x);
     glClearTexImage(maps.slices.normal.id(), 0, GL_RG, GL_FLOAT, &sentinel.x);
@@ -245,7 +245,7 @@ TEST_F(VolumetricGLTest, morePlanesThanLayersAreAnInputError) {
     const int most = context().info().maxTextureLayers;
     Engine& engine = sharedEngine();
     try {
-        engine.setScene(sceneOf("floor", 0, most + 1));
+        engine.set(sceneOf("floor", 0, most + 1));
         FAIL();
     } catch (const InputError& error) {
         EXPECT_EQ(

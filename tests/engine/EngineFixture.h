@@ -18,10 +18,10 @@ struct Baked {
 class EngineGLTest : public GLTest {
   protected:
     static Baked bake(Engine& engine, const Scene& scene, bool audit = false) {
-        engine.setScene(scene);
+        engine.set(scene);
         engine.updateCaustics(0);
         Baked baked;
-        for (const ReceiverMaps& maps : engine.maps()) {
+        for (const MapWork& maps : engine.maps()) {
             const gl::Texture coverage = engine.coverage(maps);
             baked.maps.push_back(readMaps(maps, engine.origin(), &coverage));
             baked.planesDrawn.push_back(int(maps.level.planes.size()));

@@ -2,6 +2,7 @@
 
 #include "core/Optics.h"
 #include "engine/EngineFixture.h"
+#include "plan/LampPatch.h"
 
 namespace limpid {
 namespace {

@@ -42,10 +42,10 @@ class GuardGLTest : public EngineGLTest {
     /// Of the engine anew: nothing comes from before the state was set.
     static Result resultOf(Engine& engine, const Scene& scene) {
         Result result;
-        engine.setScene(scene);
+        engine.set(scene);
         result.add(engine.render(0, {20, 12}).rgb);
         engine.updateCaustics(0);
-        for (const ReceiverMaps& maps : engine.maps()) {
+        for (const MapWork& maps : engine.maps()) {
             const gl::Texture coverage = engine.coverage(maps);
             const MapData data = readMaps(maps, engine.origin(), &coverage);
             result.add(data.irradiance);
@@ -134,7 +134,7 @@ TEST_F(GuardGLTest, aProgramDeletedWhileInUseIsNotAskedForAgain) {
     const GLuint program = HostObjects::makeProgram();
     glUseProgram(program);
     glDeleteProgram(program);
-    engine.setScene(scene);
+    engine.set(scene);
     engine.updateCaustics(0);
     GLint used = -1;
     glGetIntegerv(GL_CURRENT_PROGRAM, &used);
@@ -146,7 +146,7 @@ TEST_F(GuardGLTest, isBackAfterAnError) {
     Engine engine(host);
     glEnable(GL_CULL_FACE);
     host.ledger().setLimit(1000);
-    EXPECT_THROW(engine.setScene(scene), GraphicsError);
+    EXPECT_THROW(engine.set(scene), GraphicsError);
     EXPECT_TRUE(glIsEnabled(GL_CULL_FACE));
     glDisable(GL_CULL_FACE);
 }

@@ -113,7 +113,7 @@ class MemoryGLTest : public EngineGLTest {
     static Frame frame(Engine& engine) {
         engine.updateCaustics(1);
         Frame frame;
-        for (const ReceiverMaps& maps : engine.maps()) {
+        for (const MapWork& maps : engine.maps()) {
             const MapData data = readMaps(maps, engine.origin());
             frame.irradiance.insert(frame.irradiance.end(), data.irradiance.begin(), data.irradiance.end());
         }
@@ -124,7 +124,7 @@ class MemoryGLTest : public EngineGLTest {
     static bool runsOut(Engine& engine, const Scene& scene, int nth) {
         const FailingDriver driver(nth);
         try {
-            engine.setScene(scene);
+            engine.set(scene);
             frame(engine);
         } catch (const GraphicsError& error) {
             EXPECT_THAT(error.what(), testing::HasSubstr("bytes on the GPU, found out of memory"));
@@ -135,7 +135,7 @@ class MemoryGLTest : public EngineGLTest {
     }
     static Frame freshFrame(const Scene& scene) {
         Engine engine(context());
-        engine.setScene(scene);
+        engine.set(scene);
         return frame(engine);
     }
 };
@@ -154,10 +154,10 @@ TEST_F(MemoryGLTest, afterAnyAllocationThatFailedAnEngineDrawsAsAFreshOne) {
         int allocations = 0;
         for (bool failed = true; failed; ++allocations) {
             SCOPED_TRACE(allocations);
-            engine.setScene(other);
+            engine.set(other);
             engine.updateCaustics(0);
             failed = runsOut(engine, scene, allocations + 1);
-            if (engine.scene().water.grid == other.water.grid) engine.setScene(scene);
+            if (engine.scene().water.grid == other.water.grid) engine.set(scene);
             ASSERT_TRUE(frame(engine) == expected);
         }
         EXPECT_GT(allocations, 40);
@@ -180,15 +180,15 @@ TEST_F(MemoryGLTest, withMoreRoomAnEngineDrawsAsAFreshOne) {
         SCOPED_TRACE(room);
         Engine engine(context());
         ledger.setLimit(before + room);
-        EXPECT_THROW((engine.setScene(scene), frame(engine)), GraphicsError);
+        EXPECT_THROW((engine.set(scene), frame(engine)), GraphicsError);
         EXPECT_LE(ledger.total(), before + room);
         ledger.setLimit(before + needed);
-        if (engine.scene().receivers.empty()) engine.setScene(scene);
+        if (engine.scene().receivers.empty()) engine.set(scene);
         EXPECT_TRUE(frame(engine) == expected);
         ledger.setLimit(before + room);
-        EXPECT_THROW((engine.setScene(Scene()), engine.setScene(scene), frame(engine)), GraphicsError);
+        EXPECT_THROW((engine.set(Scene()), engine.set(scene), frame(engine)), GraphicsError);
         ledger.setLimit(before + std::max<std::int64_t>(room, 4'000'000));
-        engine.setScene(pool(Method::LevelMapSmart));
+        engine.set(pool(Method::LevelMapSmart));
         EXPECT_TRUE(frame(engine) == expectedSmaller);
     }
 }

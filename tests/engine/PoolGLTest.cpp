@@ -55,7 +55,7 @@ class PoolGLTest : public EngineGLTest {
 
     static double onFurtherMaps(Engine& engine) {
         double sum = 0;
-        for (const ReceiverMaps& maps : engine.maps())
+        for (const MapWork& maps : engine.maps())
             if (maps.level.facing > 0) sum += readMaps(maps, engine.origin()).deposited;
         return sum;
     }
@@ -114,7 +114,7 @@ TEST_F(PoolGLTest, bothSidesOfASheetHaveAMap) {
     const Baked baked = bake(engine, scene, true);
     std::vector<double> sides;
     for (std::size_t i = 0; i < baked.maps.size(); ++i)
-        if (engine.maps()[i].receiver == 1 && engine.maps()[i].level.facing > 0)
+        if (engine.maps()[i].plan.receiver == 1 && engine.maps()[i].level.facing > 0)
             sides.push_back(baked.maps[i].deposited);
     ASSERT_EQ(sides.size(), 2u);
     EXPECT_GT(sides[0], 0.01);

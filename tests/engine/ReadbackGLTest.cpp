@@ -23,9 +23,9 @@ class ReadbackGLTest : public EngineGLTest {
 // It is what slicing counts on the GPU, so the planes that it drops are the empty ones.
 TEST_F(ReadbackGLTest, planeHistogramHasTheTexelsOfEachPlane) {
     Engine engine(context());
-    engine.setScene(sphere());
+    engine.set(sphere());
     engine.updateCaustics(0);
-    const ReceiverMaps& maps = engine.maps().front();
+    const MapWork& maps = engine.maps().front();
     const auto histogram = planeHistogram(maps.level);
     ASSERT_EQ(histogram.size(), 33u);
     std::size_t occupied = 0;
@@ -55,29 +55,29 @@ TEST_F(ReadbackGLTest, otherSettingsLeaveNothingOfTheOnesBefore) {
     for (const Method method : allMethods()) {
         scene.caustics.method = method;
         Engine engine(context());
-        engine.setScene(scene);
+        engine.set(scene);
         alone[method] = bytes(engine);
         EXPECT_NE(alone[method], before);
     }
     EXPECT_EQ(context().ledger().byKind(), before);
     Engine engine(context());
-    engine.setScene(scene);
+    engine.set(scene);
     for (const Method method : allMethods()) {
         scene.caustics.method = method;
-        engine.setCaustics(scene.caustics);
+        engine.set(scene);
         EXPECT_EQ(bytes(engine), alone[method]) << methodName(method);
     }
 }
 
 TEST_F(ReadbackGLTest, otherSettingsOfTheSameSceneAreThoseOfAFreshOne) {
     Engine engine(context());
-    engine.setScene(sphere());
+    engine.set(sphere());
     engine.updateCaustics(0);
     Scene scene = sphere();
     scene.caustics.method = Method::LevelMap;
     scene.caustics.planes = 7;
     scene.caustics.mapSize = 48;
-    engine.setCaustics(scene.caustics);
+    engine.set(scene);
     engine.updateCaustics(0);
     const Baked fresh = bake(scene);
     ASSERT_EQ(engine.maps().size(), fresh.maps.size());

@@ -43,7 +43,7 @@ class SkippingGLTest : public EngineGLTest {
     static Picture draw(const Scene& scene, bool skip, Skipped& skipped) {
         Engine engine(context());
         engine.setSkipping(skip);
-        engine.setScene(scene);
+        engine.set(scene);
         Picture picture = engine.render(0.2, {48, 32});
         skipped = engine.skipped();
         return picture;
@@ -103,7 +103,7 @@ TEST_F(SkippingGLTest, countsWhatItLeavesOut) {
     scene.lights.push_back(scenes::sunAt(110, "set"));
     scene.caustics.method = Method::LevelMapSmart;
     Engine engine(context());
-    engine.setScene(scene);
+    engine.set(scene);
     engine.updateCaustics(0);
     EXPECT_EQ(engine.skipped().lights, 1);
     EXPECT_EQ(engine.skipped().unlitMaps, 2) << "two receivers in one dark light";
@@ -111,8 +111,8 @@ TEST_F(SkippingGLTest, countsWhatItLeavesOut) {
     EXPECT_EQ(engine.skipped().channels, 4) << "two of three for each of two maps in clear water";
     EXPECT_EQ(engine.skipped().levelMaps, 0);
     int planes = 0;
-    for (const ReceiverMaps& maps : engine.maps())
-        if (maps.light == 0) planes += (maps.level.frame.flat ? 1 : 7) - int(maps.level.planes.size());
+    for (const MapWork& maps : engine.maps())
+        if (maps.plan.light == 0) planes += (maps.level.frame.flat ? 1 : 7) - int(maps.level.planes.size());
     EXPECT_EQ(engine.skipped().planes, planes);
     engine.updateCaustics(1); // the waves move, receivers and lights do not
     EXPECT_EQ(engine.skipped().levelMaps, 4);
@@ -216,11 +216,11 @@ TEST_F(SkippingGLTest, aPictureLeavesNothingOutOfALaterBake) {
     scene.camera.position = {0.9, 0.2, 1.1};
     scene.camera.target = {0.8, -0.7, 0.8};
     Engine engine(context()), other(context());
-    engine.setScene(scene);
+    engine.set(scene);
     engine.render(0.5, {48, 32});
     ASSERT_GT(engine.skipped().outOfView, 0);
     engine.updateCaustics(0.5);
-    other.setScene(scene);
+    other.set(scene);
     other.updateCaustics(0.5);
     for (std::size_t i = 0; i < engine.maps().size(); ++i)
         EXPECT_EQ(readMaps(engine.maps()[i], engine.origin()).irradiance,
@@ -247,14 +247,14 @@ TEST_F(SkippingGLTest, whatIsSmallOnScreenHasSmallMapsIfAsked) {
     Scene scene = balls();
     scene.caustics.mapSize = 256;
     Engine engine(context());
-    engine.setScene(scene);
+    engine.set(scene);
     const Picture whole = engine.render(0.2, {96, 64});
     const std::int64_t bytes = context().ledger().total();
     scene.caustics.texelsPerPixel = 2;
-    engine.setScene(scene);
+    engine.set(scene);
     const Picture lean = engine.render(0.2, {96, 64});
-    for (const ReceiverMaps& maps : engine.maps()) {
-        if (!maps.ready) continue;
+    for (const MapWork& maps : engine.maps()) {
+        if (!maps.isDrawn()) continue;
         const int side = std::max(maps.level.frame.size.x, maps.level.frame.size.y);
         EXPECT_LT(side, 256);
         // The whole picture is 96 pixels wide, and no ball is seen from so near that it fills it.
@@ -269,7 +269,7 @@ TEST_F(SkippingGLTest, whatIsSmallOnScreenHasSmallMapsIfAsked) {
     // A bake is whole, also after such a picture.
     scene.caustics.texelsPerPixel = 0;
     const Baked expected = bake(scene);
-    engine.setScene(scene);
+    engine.set(scene);
     engine.updateCaustics(0);
     expectSameMaps(expected, bake(engine, scene), "after a picture");
 }
@@ -278,21 +278,21 @@ TEST_F(SkippingGLTest, causticsAreMadeAsOftenAsAskedAndWaterMovesOn) {
     Scene scene = balls();
     scene.caustics.refresh = 10;
     Engine engine(context()), atTick(context());
-    engine.setScene(scene);
+    engine.set(scene);
     engine.render(0.21, {48, 32});
     const Picture later = engine.render(0.27, {48, 32});
     EXPECT_GT(engine.skipped().causticMaps, 0) << "the tenth of a second has not passed";
-    atTick.setScene(scene);
+    atTick.set(scene);
     const Picture tick = atTick.render(0.2, {48, 32});
     for (std::size_t i = 0; i < engine.maps().size(); ++i) {
-        if (!engine.maps()[i].filled) continue;
+        if (!engine.maps()[i].isFilled()) continue;
         EXPECT_EQ(readMaps(engine.maps()[i], engine.origin()).irradiance,
                   readMaps(atTick.maps()[i], atTick.origin()).irradiance);
     }
     EXPECT_GT(differenceOf(later, tick), 0) << "the surface moves";
     // Whatever came before it, a picture is the same.
     Engine fresh(context());
-    fresh.setScene(scene);
+    fresh.set(scene);
     EXPECT_EQ(fresh.render(0.27, {48, 32}).rgb, later.rgb);
 }
 

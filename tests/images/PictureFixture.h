@@ -9,7 +9,7 @@ class PictureFixture : public EngineGLTest {
   protected:
     static Picture render(const Scene& scene, glm::ivec2 size) {
         Engine engine(context());
-        engine.setScene(scene);
+        engine.set(scene);
         return engine.render(0, size);
     }
     static glm::dvec3 at(const Picture& picture, int x, int y) {

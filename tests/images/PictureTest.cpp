@@ -137,7 +137,7 @@ TEST_F(PictureTest, skippingChangesNoPixel) {
     scene.receivers.push_back(scenes::model("fish", -1));
     scene.water.waves = {scenes::noise(0.01, 0.4)};
     Engine engine(context());
-    engine.setScene(scene);
+    engine.set(scene);
     const Picture skipping = engine.render(0, {64, 48});
     engine.setSkipping(false);
     EXPECT_EQ(skipping.rgb, engine.render(0, {64, 48}).rgb);

@@ -8,9 +8,9 @@
 #include "io/SceneSettings.h"
 #include "io/SmallGltf.h"
 #include "io/TempFolder.h"
-#include "io/WaterBodies.h"
-#include "io/WaterPresets.h"
 #include "scene/Sea.h"
+#include "scene/WaterBodies.h"
+#include "scene/WaterPresets.h"
 
 namespace limpid::io {
 namespace {

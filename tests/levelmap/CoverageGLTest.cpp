@@ -22,7 +22,7 @@ class CoverageGLTest : public EngineGLTest {
     }
     static std::vector<float> coverageOf(const Scene& scene) {
         Engine& engine = sharedEngine();
-        engine.setScene(scene);
+        engine.set(scene);
         engine.updateCaustics(0);
         return engine.coverage(engine.maps().at(0)).readFloats(GL_RED, 1);
     }

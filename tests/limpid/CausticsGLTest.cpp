@@ -33,7 +33,7 @@ TEST(CausticsGLTest, mapsAreTheEngines) {
     {
         gl::Context context;
         Engine engine(context);
-        engine.setScene(rippledFloor());
+        engine.set(rippledFloor());
         engine.updateCaustics(0.5);
         expected = readMaps(engine.maps()[0], engine.origin()).irradiance;
     }

@@ -42,10 +42,10 @@ class GodraysGLTest : public EngineGLTest {
     /// RGB, rows from the top, in double.
     static std::vector<double> added(Scene scene, glm::ivec2 size = pictureSize) {
         Engine engine(context());
-        engine.setScene(scene);
+        engine.set(scene);
         const Picture with = engine.render(0, size);
         scene.godrays.method = GodrayMethod::None;
-        engine.setScene(scene);
+        engine.set(scene);
         const Picture without = engine.render(0, size);
         std::vector<double> sum;
         for (std::size_t i = 0; i < with.rgb.size(); ++i)
@@ -96,7 +96,7 @@ class GodraysGLTest : public EngineGLTest {
 
     static void expectTheSameBits(const Scene& scene) {
         Engine engine(context());
-        engine.setScene(scene);
+        engine.set(scene);
         const std::vector<float> first = engine.render(0, pictureSize).rgb;
         EXPECT_EQ(engine.render(0, pictureSize).rgb, first);
         for (const float value : first)
@@ -108,14 +108,14 @@ class GodraysGLTest : public EngineGLTest {
         Scene scene = tank(method);
         scene.water.scattering = glm::dvec3(0);
         Engine engine(context());
-        engine.setScene(scene);
+        engine.set(scene);
         const std::vector<float> with = engine.render(0, pictureSize).rgb;
         for (const auto& [pass, ms] : engine.timers().collect())
             EXPECT_NE(pass, "godrays");
         for (const char* kind : {"godrays", "photon lines", "lit water", "illumination volumes"})
             EXPECT_EQ(context().ledger().byKind().count(kind), 0u) << kind;
         scene.godrays.method = GodrayMethod::None;
-        engine.setScene(scene);
+        engine.set(scene);
         EXPECT_EQ(engine.render(0, pictureSize).rgb, with);
     }
 };

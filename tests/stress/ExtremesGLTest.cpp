@@ -175,7 +175,7 @@ TEST_F(ExtremesGLTest, camerasWhereNoEyeFits) {
     for (const auto& [position, target] : cameras) {
         scene.camera.position = position;
         scene.camera.target = target;
-        engine().setLook(scene);
+        engine().set(scene);
         EXPECT_EQ(impossible(engine().draw({32, 18}).rgb), 0u) << position.x << " " << position.y;
     }
 }

@@ -108,8 +108,9 @@ RC_GTEST_FIXTURE_PROP(InvarianceGLTest, orderOfReceiversAndLights, ()) {
     std::size_t found = 0;
     for (std::size_t i = 0; i < a.maps.size(); ++i)
         for (std::size_t k = 0; k < b.maps.size(); ++k) {
-            const ReceiverMaps &x = one.maps()[i], &y = two.maps()[k];
-            if (x.receiver != 1 - y.receiver || x.light != 1 - y.light || x.level.facing != y.level.facing)
+            const MapWork &x = one.maps()[i], &y = two.maps()[k];
+            if (x.plan.receiver != 1 - y.plan.receiver || x.plan.light != 1 - y.plan.light ||
+                x.level.facing != y.level.facing)
                 continue;
             ++found;
             RC_ASSERT(a.maps[i].irradiance == b.maps[k].irradiance);

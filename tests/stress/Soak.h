@@ -74,7 +74,7 @@ inline void run(gl::Context& context, int frames, int period,
     Engine engine(context);
     for (int frame = 0; frame <= frames; ++frame) {
         const bool measured = frame % period == 0;
-        engine.setScene(measured ? same : anyScene(random));
+        engine.set(measured ? same : anyScene(random));
         engine.updateCaustics(0.1 * frame);
         engine.draw({16, 9});
         if (measured) report({frame, context.ledger().total(), heapBytes(), residentBytes()});

@@ -56,7 +56,7 @@ class HostContextGLTest : public ::testing::Test {
         Scene scene = scenes::floorPastSphere(30);
         scene.water.waves = {scenes::cosine(0.01, 0.5, {1, 0.3})};
         scene.caustics.mapSize = 64;
-        engine.setScene(scene);
+        engine.set(scene);
         engine.updateCaustics(0);
         return readMaps(engine.maps()[0], engine.origin()).irradiance;
     }

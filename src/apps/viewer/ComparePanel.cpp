@@ -25,7 +25,7 @@ void label(const std::string& text, float x, float y, float alignment) {
 void comparePanel(State& state) {
     ImGui::TextWrapped("The same scene by a second method.");
     ImGui::PushItemWidth(-0.3f * ImGui::GetContentRegionAvail().x);
-    methodCombo("method", state.scene.caustics.method);
+    methodField(state.scene.caustics.method);
     const std::string other = state.other ? std::string(methodName(*state.other)) : "none";
     if (ImGui::BeginCombo("second", other.c_str())) {
         if (ImGui::Selectable("none", !state.other)) state.other.reset();

@@ -24,7 +24,7 @@ MapImages::MapImages(gl::Context& context)
     }
 }
 
-void MapImages::update(const ReceiverMaps& maps, double gain) {
+void MapImages::update(const MapWork& maps, double gain) {
     _size = imageSize(maps.level.frame.size);
     maps.level.position.bind(0);
     maps.level.diffuse.bind(1);

@@ -15,7 +15,7 @@ class MapImages {
     explicit MapImages(gl::Context& context);
 
     /// `gain`: what irradiance is multiplied with before it is tone-mapped.
-    void update(const ReceiverMaps& maps, double gain);
+    void update(const MapWork& maps, double gain);
     /// RGBA8, row 0 the top of the box, in the first `size` pixels; always the same texture, which the
     /// interface may have yet to draw.
     const gl::Texture& image(Kind kind) const { return _images[std::size_t(kind)]; }

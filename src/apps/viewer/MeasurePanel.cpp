@@ -105,12 +105,13 @@ void skippedTable(Stage& stage) {
     if (!ImGui::BeginTable("skipped", 2)) return;
     const Engine& engine = stage.engine();
     const bool planeless = !factsOf(engine.scene().caustics.method).planes;
-    for (const ReceiverMaps& maps : engine.maps()) {
-        const std::string& receiver = engine.scene().receivers[std::size_t(maps.receiver)].name;
+    for (const MapWork& maps : engine.maps()) {
+        const std::string& receiver = engine.scene().receivers[std::size_t(maps.plan.receiver)].name;
         const std::string facing =
             maps.level.facing > 0 ? fmt::format(", further map {}", maps.level.facing) : "";
         const int left = maps.level.requestedPlanes - int(maps.level.planes.size());
-        row(fmt::format("{} in {}{}", receiver, engine.scene().lights[std::size_t(maps.light)].name, facing),
+        row(fmt::format("{} in {}{}", receiver, engine.scene().lights[std::size_t(maps.plan.light)].name,
+                        facing),
             planeless ? "needs none"
                       : fmt::format("{} of {}", std::max(left, 0), maps.level.requestedPlanes));
     }

@@ -7,7 +7,7 @@ namespace limpid::viewer {
 void methodSection(State& state);
 void godraysSection(State& state);
 
-/// A choice of one of the methods.
-void methodCombo(const char* label, Method& method);
+/// The method of the caustics.
+void methodField(Method& method);
 
 } // namespace limpid::viewer

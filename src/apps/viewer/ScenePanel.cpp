@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
+#include "apps/viewer/KeyFields.h"
 #include "apps/viewer/MethodPanel.h"
 #include "apps/viewer/WaterPanel.h"
-#include "apps/viewer/Widgets.h"
 
 namespace limpid::viewer {
 
@@ -15,7 +15,6 @@ using namespace widgets;
 
 namespace {
 
-constexpr Field power{.speed = 0.02, .min = 0, .max = 1e12};
 constexpr Field degrees{.speed = 0.3, .min = -360, .max = 360, .format = "%.2f°"};
 
 /// Metres a pixel of a drag: one over the whole panel moves things by about the scene's size.
@@ -45,12 +44,10 @@ void cameraSection(State& state) {
     if (!section("Camera")) return;
     Camera& camera = state.scene.camera;
     const Camera before = camera;
-    const Field length{.speed = lengthSpeed(state)};
-    vector("position", *camera.position, length, "m");
-    vector("target", *camera.target, length, "m");
+    keyFields(cameraKeys, camera, lengthSpeed(state), [](const auto& key) {
+        return key.is(&Camera::up) || key.is(&Camera::exposure); // stays, and stands below
+    });
     if (*camera.position == *camera.target) camera = before;
-    number("field of view", camera.verticalFov, {.speed = 0.1, .min = 1, .max = 170, .format = "%.1f°"},
-           "from bottom to top");
     if (ImGui::Button("Frame")) state.frameSelection = true;
     hint("the picked receiver, or the scene (F)");
     ImGui::SameLine();
@@ -73,23 +70,11 @@ void sunFields(Light& light) {
 }
 
 void lightFields(State& state, Light& light) {
-    const Field length{.speed = lengthSpeed(state)};
-    if (light.type == LightType::Directional) {
+    keyFields(lightKeys, light, lengthSpeed(state), [&](const auto& key) {
+        if (!key.is(&Light::direction) || light.isSpot()) return false;
         sunFields(light);
-        vector("irradiance", light.irradiance, power, "W/m² on a plane facing it, RGB");
-        number("disc", light.angularDiameter, {.speed = 0.005, .min = 0, .max = 10, .format = "%.2f°"},
-               "angular diameter; the sun has 0.53");
-        return;
-    }
-    vector("position", light.position, length, "m");
-    vector("intensity", light.intensity, power, "W/sr, RGB");
-    if (!light.isSpot()) return;
-    glm::dvec3 direction = light.direction;
-    if (vector("direction", direction, {.speed = 0.01}) && glm::dot(direction, direction) > 1e-6)
-        light.direction = direction;
-    number("outer cone", light.outerCone, {.speed = 0.1, .min = 0.1, .max = 90, .format = "%.1f°"});
-    number("inner cone", light.innerCone,
-           {.speed = 0.1, .min = 0, .max = 0.99 * light.outerCone, .format = "%.1f°"});
+        return true;
+    });
     light.innerCone = std::min(light.innerCone, 0.99 * light.outerCone);
 }
 
@@ -118,15 +103,16 @@ void gizmoChoice(State& state) {
 
 void receiverFields(State& state, Receiver& receiver) {
     gizmoChoice(state);
-    const Field length{.speed = lengthSpeed(state)};
-    vector("translation", receiver.translation, length, "m");
-    // Angles about x, y and z. The turn is kept as a quaternion and shown as angles near by.
-    glm::dvec3 angles = glm::degrees(glm::eulerAngles(receiver.rotation)) + 0.0; // no -0
-    if (vector("rotation", angles, degrees, "degrees about x, y and z"))
-        receiver.rotation = glm::normalize(glm::dquat(glm::radians(angles)));
-    glm::dvec3 scale = receiver.scale;
-    if (vector("scale", scale, {.speed = 0.005}) && scale.x != 0 && scale.y != 0 && scale.z != 0)
-        receiver.scale = scale;
+    const glm::dvec3 scale = receiver.scale;
+    keyFields(receiverKeys, receiver, lengthSpeed(state), [&](const auto& key) {
+        if (!key.is(&Receiver::rotation)) return false;
+        // Angles about x, y and z. The turn is kept as a quaternion and shown as angles near by.
+        glm::dvec3 angles = glm::degrees(glm::eulerAngles(receiver.rotation)) + 0.0; // no -0
+        if (vector("rotation", angles, degrees, "degrees about x, y and z"))
+            receiver.rotation = glm::normalize(glm::dquat(glm::radians(angles)));
+        return true;
+    });
+    if (receiver.scale.x == 0 || receiver.scale.y == 0 || receiver.scale.z == 0) receiver.scale = scale;
     ImGui::TextDisabled("%zu triangles", receiver.mesh->triangleCount());
 }
 
@@ -144,13 +130,16 @@ void receiverSection(State& state) {
     if (!state.selected) ImGui::TextDisabled("click one, here or in the picture");
 }
 
+void radianceField(const char* label, const KeyRow& key, glm::dvec3& radiance) {
+    vector(label, radiance, fieldOf(key, glm::length(radiance)));
+    keyHint(key);
+}
+
 void lookSection(State& state) {
     if (!section("Light around and exposure")) return;
-    number("exposure", state.scene.camera.exposure,
-           {.speed = 0.02, .min = -64, .max = 64, .format = "%.2f stops"}, "- and +");
-    const Field radiance{.speed = 0.005, .min = 0, .max = 1e12};
-    vector("sky", state.scene.skyRadiance, radiance, "W/(m² sr), seen by reflection and through the surface");
-    vector("ambient", state.scene.ambientRadiance, radiance, "W/(m² sr), on all receivers");
+    keyField(keyOf(cameraKeys, &Camera::exposure), state.scene.camera.exposure, 0);
+    radianceField("sky", keyOf(skyKeys, &Scene::skyRadiance), state.scene.skyRadiance);
+    radianceField("ambient", keyOf(ambientKeys, &Scene::ambientRadiance), state.scene.ambientRadiance);
 }
 
 } // namespace

@@ -25,10 +25,10 @@ struct PictureWork {
 constexpr PictureWork pictureWork[] = {{1, 2}, {1, 1}, {0.75, 1}, {0.5, 1}, {0.375, 1}, {0.25, 1}, {0.18, 1}};
 
 /// What maps and the water's grid are divided by.
-struct MapWork {
+struct MapReduction {
     int map, grid;
 };
-constexpr MapWork mapWork[] = {{1, 1}, {2, 1}, {2, 2}, {4, 2}, {8, 4}};
+constexpr MapReduction mapReductions[] = {{1, 1}, {2, 1}, {2, 2}, {4, 2}, {8, 4}};
 
 Ladder pictureLadder() {
     std::vector<double> shares;
@@ -43,7 +43,7 @@ Ladder mapLadder() {
 }
 
 Scene reduced(Scene scene, std::size_t step) {
-    const MapWork& work = mapWork[step];
+    const MapReduction& work = mapReductions[step];
     scene.caustics.mapSize =
         std::max(scene.caustics.mapSize / work.map, std::min(scene.caustics.mapSize, 32));
     scene.water.grid = glm::max(scene.water.grid / work.grid, glm::min(scene.water.grid, glm::ivec2(32)));
@@ -81,7 +81,6 @@ void Stage::want(const Wanted& wanted) {
     const bool sameScene =
         _hasScene && wanted.other == _wanted.other && sameLight(_wanted.scene, wanted.scene);
     if (!sameScene) Engine::requireScene(wanted.scene, _context);
-    _sceneChanged = _sceneChanged || !sameScene;
     _lightChanged = _lightChanged || !sameScene || wanted.time != _wanted.time;
     _wanted = wanted;
     _hasScene = true;
@@ -103,6 +102,13 @@ double Stage::resolution() const {
     return pictureWork[_pictureStep].scale;
 }
 
+/// What the engine of that number shows, with `step` of the map ladder.
+Scene Stage::sceneOf(std::size_t engine, std::size_t step) const {
+    Scene scene = reduced(_wanted.scene, step);
+    if (engine == 1) scene.caustics.method = *_wanted.other;
+    return scene;
+}
+
 /// Caustics of what is wanted, with `step` of the map ladder.
 void Stage::makeMaps(std::size_t step) {
     const auto begin = Clock::now();
@@ -111,14 +117,10 @@ void Stage::makeMaps(std::size_t step) {
         _engines.push_back(newEngine());
     _engines.resize(count);
     for (std::size_t i = 0; i < count; ++i) {
-        if (_sceneChanged || step != _mapStep) {
-            Scene scene = reduced(_wanted.scene, step);
-            if (i == 1) scene.caustics.method = *_wanted.other;
-            _engines[i]->setScene(std::move(scene));
-        }
+        _engines[i]->set(sceneOf(i, step));
         _engines[i]->updateForPictures(_wanted.time);
     }
-    _sceneChanged = _lightChanged = false;
+    _lightChanged = false;
     _mapStep = step;
     glFinish();
     _mapLadder.measured(step, Ms(Clock::now() - begin).count(), mapsTarget);
@@ -129,10 +131,11 @@ void Stage::drawAtOnce() {
     const auto begin = Clock::now();
     const glm::ivec2 size = sizeAt(_wanted.size, step);
     _sketches.clear();
-    for (const auto& engine : _engines) {
-        engine->setLook(_wanted.scene);
-        _sketches.push_back(engine->beginPicture(size, pictureWork[step].perPixel));
-        engine->drawRows(_sketches.back(), {0, size.y});
+    for (std::size_t i = 0; i < _engines.size(); ++i) {
+        Engine& engine = *_engines[i];
+        engine.set(sceneOf(i, _mapStep));
+        _sketches.push_back(engine.beginPicture(size, pictureWork[step].perPixel));
+        engine.drawRows(_sketches.back(), {0, size.y});
     }
     showSketches();
     glFinish();
@@ -232,7 +235,7 @@ void Stage::reloadShaders() {
     _refining.clear();
     _engines = std::move(engines);
     _display = std::move(display);
-    _sceneChanged = _lightChanged = true;
+    _lightChanged = true;
     if (_hasScene) _state = State::Changed;
 }
 

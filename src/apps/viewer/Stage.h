@@ -63,6 +63,7 @@ class Stage {
     using Clock = std::chrono::steady_clock;
     enum class State { Changed, Waits, Rests };
     std::unique_ptr<Engine> newEngine() const;
+    Scene sceneOf(std::size_t engine, std::size_t step) const;
     bool nextPiece();
     void makeMaps(std::size_t step);
     void drawAtOnce();
@@ -79,7 +80,7 @@ class Stage {
     Shown _shown;
     Wanted _wanted;
     State _state = State::Rests;
-    bool _hasScene = false, _lightChanged = false, _sceneChanged = false;
+    bool _hasScene = false, _lightChanged = false;
     Ladder _mapLadder, _pictureLadder;
     std::size_t _mapStep = 0, _pictureStep = 0; ///< of what is shown
     std::size_t _refiningStep = 0;

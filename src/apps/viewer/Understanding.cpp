@@ -36,7 +36,7 @@ void drawBox(const Overlay& overlay, const OrientedBox& box) {
 }
 
 /// Kept planes bright, dropped ones red.
-void drawPlanes(const Overlay& overlay, const ReceiverMaps& maps) {
+void drawPlanes(const Overlay& overlay, const MapWork& maps) {
     const auto& kept = maps.level.planes;
     const OrientedBox& box = maps.level.frame.box;
     for (const ReferencePlane& plane : uniformPlanes(box.extent.z, maps.level.requestedPlanes)) {
@@ -74,11 +74,12 @@ void imageOf(const MapImages& images, MapImages::Kind kind, const char* name, fl
 
 } // namespace
 
-const ReceiverMaps* Understanding::shownMaps(const State& state, Stage& stage) const {
+const MapWork* Understanding::shownMaps(const State& state, Stage& stage) const {
     if (!stage.hasScene() || !state.selected) return nullptr;
-    const ReceiverMaps* first = nullptr;
-    for (const ReceiverMaps& maps : stage.engine().maps()) {
-        if (maps.receiver != *state.selected || maps.light != state.light || !maps.caustics.irradiance.id())
+    const MapWork* first = nullptr;
+    for (const MapWork& maps : stage.engine().maps()) {
+        if (maps.plan.receiver != *state.selected || maps.plan.light != state.light ||
+            !maps.caustics.irradiance.id())
             continue;
         if (maps.level.facing == _facing) return &maps;
         if (!first) first = &maps;
@@ -90,11 +91,11 @@ void Understanding::update(const State& state, Stage& stage, bool changed) {
     _stale = _stale || changed || _selected != state.selected;
     _beamsStale = _beamsStale || changed || _selected != state.selected;
     _selected = state.selected;
-    const ReceiverMaps* maps = shownMaps(state, stage);
+    const MapWork* maps = shownMaps(state, stage);
     const bool panel = state.panels && state.side == State::Side::Understand;
     if (panel && maps && (_stale || maps != _maps)) {
         if (!_images) _images = std::make_unique<MapImages>(_context);
-        const glm::dvec3 strength = stage.engine().light(maps->light).beams.strength;
+        const glm::dvec3 strength = stage.engine().light(maps->plan.light).beams.strength;
         const double brightest = std::max({strength.x, strength.y, strength.z, 1e-9});
         // Light as under flat water comes out at a third of the scale: caustics have room above it.
         _images->update(*maps, 0.5 / brightest);
@@ -139,9 +140,10 @@ void Understanding::traceBeams(const State& state, Stage& stage) {
 void Understanding::overlay(const State& state, Stage& stage, const Area& picture) const {
     if (!stage.hasScene() || !stage.display()) return;
     const Overlay lines(state.scene, picture);
-    for (const ReceiverMaps& maps : stage.engine().maps()) {
-        if (state.selected && maps.receiver != *state.selected) continue;
-        if (maps.light != state.light || maps.level.facing > 0 || !maps.caustics.irradiance.id()) continue;
+    for (const MapWork& maps : stage.engine().maps()) {
+        if (state.selected && maps.plan.receiver != *state.selected) continue;
+        if (maps.plan.light != state.light || maps.level.facing > 0 || !maps.caustics.irradiance.id())
+            continue;
         if (state.boxes) drawBox(lines, maps.level.frame.box);
         if (state.planes && state.selected) drawPlanes(lines, maps);
     }
@@ -159,15 +161,15 @@ void Understanding::mapChoice(State& state, Stage& stage) {
         }
     }
     int further = 0;
-    for (const ReceiverMaps& maps : stage.engine().maps())
-        if (state.selected == maps.receiver && maps.light == state.light)
+    for (const MapWork& maps : stage.engine().maps())
+        if (state.selected == maps.plan.receiver && maps.plan.light == state.light)
             further = std::max(further, maps.level.facing);
     if (further == 0) return;
     ImGui::SliderInt("map", &_facing, 0, further, _facing == 0 ? "along the light" : "further map %d");
 }
 
 /// Texels by reference plane; planes that are left out, and those that are drawn.
-void Understanding::histogram(const ReceiverMaps& maps) const {
+void Understanding::histogram(const MapWork& maps) const {
     if (_histogram.empty()) return;
     const float most = float(std::max(*std::max_element(_histogram.begin(), _histogram.end()), 1u));
     const ImVec2 from = ImGui::GetCursorScreenPos();

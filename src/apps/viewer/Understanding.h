@@ -25,14 +25,14 @@ class Understanding {
     void overlay(const State& state, Stage& stage, const Area& picture) const;
 
   private:
-    const ReceiverMaps* shownMaps(const State& state, Stage& stage) const;
+    const MapWork* shownMaps(const State& state, Stage& stage) const;
     void traceBeams(const State& state, Stage& stage);
     void mapChoice(State& state, Stage& stage);
-    void histogram(const ReceiverMaps& maps) const;
+    void histogram(const MapWork& maps) const;
 
     gl::Context& _context;
     std::unique_ptr<MapImages> _images;
-    const ReceiverMaps* _maps = nullptr; ///< that `_images` show
+    const MapWork* _maps = nullptr; ///< that `_images` show
     int _facing = 0;
     std::optional<int> _selected; ///< for which all of it is
     bool _stale = true, _beamsStale = true;

@@ -5,18 +5,16 @@
 
 #include <fmt/format.h>
 
-#include "apps/viewer/Widgets.h"
-#include "io/WaterBodies.h"
-#include "io/WaterPresets.h"
+#include "apps/viewer/KeyFields.h"
 #include "scene/Sea.h"
+#include "scene/WaterBodies.h"
+#include "scene/WaterPresets.h"
 
 namespace limpid::viewer {
 
 using namespace widgets;
 
 namespace {
-
-constexpr Field perMetre{.speed = 0.002, .min = 0, .max = 1e12, .format = "%.3g"};
 
 void patchFields(Water& water, double speed) {
     bool own = water.size.has_value();
@@ -25,21 +23,20 @@ void patchFields(Water& water, double speed) {
         if (!own) water.size.reset(), water.center.reset();
     }
     hint("where beams start from; else what the receivers can be lit from");
-    if (water.size) vector("size", *water.size, {.speed = speed, .min = 1e-3}, "m along x and z");
-    if (water.center) vector("center", *water.center, {.speed = speed}, "x and z, m");
+    keyField(keyOf(waterKeys, &Water::size), water.size, speed);
+    keyField(keyOf(waterKeys, &Water::center), water.center, speed);
 }
 
 /// Named waters; what a field changes is none of them.
-void bodyCombo(Water& water) {
-    const auto body = io::waterBodyOf(water);
-    const std::string shown(body ? io::waterBodies[*body] : "its own");
-    if (ImGui::BeginCombo("type", shown.c_str())) {
-        for (std::size_t i = 0; i < std::size(io::waterBodies); ++i)
-            if (ImGui::Selectable(std::string(io::waterBodies[i]).c_str(), body == i))
-                io::setWaterBody(i, water);
-        ImGui::EndCombo();
-    }
-    hint("absorption, scattering and anisotropy from published tables");
+void bodyCombo(const KeyRow& key, Water& water) {
+    const auto body = waterBodyOf(water);
+    const std::string shown(body ? waterBodies[*body] : "its own");
+    const bool open = ImGui::BeginCombo(labelOf(key).c_str(), shown.c_str());
+    keyHint(key);
+    if (!open) return;
+    for (std::size_t i = 0; i < std::size(waterBodies); ++i)
+        if (ImGui::Selectable(std::string(waterBodies[i]).c_str(), body == i)) setWaterBody(i, water);
+    ImGui::EndCombo();
 }
 
 /// How many of the waves a shader has to bind a texture for.
@@ -71,66 +68,65 @@ void typeCombo(Wave& wave, bool roomForTextures) {
 }
 
 /// The angle of a direction, and back; its length stays.
-bool headingField(glm::dvec2& direction, const char* tip) {
+void headingField(glm::dvec2& direction) {
     double heading = glm::degrees(std::atan2(direction.y, direction.x));
-    if (!number("heading", heading, {.speed = 0.3, .min = -360, .max = 360, .format = "%.1f°"}, tip))
-        return false;
+    if (!number("heading", heading, {.speed = 0.3, .min = -360, .max = 360, .format = "%.1f°"},
+                "from x towards z"))
+        return;
     const double angle = glm::radians(heading), length = glm::length(direction);
     direction = length * glm::dvec2(std::cos(angle), std::sin(angle));
-    return true;
 }
 
-bool seedField(std::uint32_t& value) {
-    int seed = int(std::min(value, 0x7FFFFFFFu));
-    if (!wholeNumber("seed", seed, 0, 0x7FFFFFFF)) return false;
-    value = std::uint32_t(seed);
-    return true;
+/// A wind's speed and where it goes.
+void windField(const KeyRow& key, glm::dvec2& velocity) {
+    double speed = glm::length(velocity);
+    const glm::dvec2 direction = velocity / speed;
+    if (keyField(key, std::span(&speed, 1), {.speed = 0.02, .min = 0.1, .max = 100}))
+        velocity = speed * direction;
+    headingField(velocity);
 }
 
-bool modesField(int& modes) {
+/// Powers of two.
+void modesField(const KeyRow& key, int& modes) {
     int exponent = int(std::lround(std::log2(modes)));
     const std::string shown = std::to_string(modes);
-    if (!ImGui::SliderInt("modes", &exponent, 2, 9, shown.c_str(), ImGuiSliderFlags_NoInput)) return false;
-    modes = 1 << exponent;
-    return true;
+    if (ImGui::SliderInt(labelOf(key).c_str(), &exponent, int(std::log2(key.range().min)),
+                         int(std::log2(key.range().max)), shown.c_str(), ImGuiSliderFlags_NoInput))
+        modes = 1 << exponent;
+    keyHint(key);
 }
 
-/// What raises a sea. A wind that raises nothing changes nothing.
-void windFields(Wave& wave) {
-    Wind wind = windOf(wave);
-    double speed = glm::length(wind.velocity);
-    const glm::dvec2 direction = wind.velocity / speed;
-    bool changed = number("wind", speed, {.speed = 0.02, .min = 0.1, .max = 100}, "m/s");
-    wind.velocity = speed * direction;
-    changed |= headingField(wind.velocity, "where the wind goes, from x towards z");
-    changed |= vector("tile", wind.tile, {.speed = 0.02, .min = 0.01, .max = 1e6},
-                      "m along x and z; the waves repeat after it");
-    changed |= modesField(wind.modes);
-    hint("waves along a side of the tile");
-    changed |= number("shortest", wind.shortest, {.speed = 0.002, .min = 0, .max = 1e6},
-                      "m; shorter waves die away; 0: as tile and modes have it");
-    changed |= seedField(wind.seed);
-    if (changed) raiseSea(wave, wind);
+/// Draws what is not a number as the table has it; false for all else.
+bool ownField(const Key<Wave>& key, Wave& wave, bool roomForTextures) {
+    if (key.is(&Wave::type)) {
+        typeCombo(wave, roomForTextures);
+    } else if (key.is(&Wave::amplitude)) {
+        const double fine = std::max(0.005 * std::abs(wave.amplitude), 1e-6);
+        keyField(key, std::span(&wave.amplitude, 1), {.speed = fine});
+    } else if (wave.type == WaveType::Phillips && key.is(&Wave::direction)) {
+        windField(key, wave.direction);
+    } else if (wave.type == WaveType::Phillips && key.is(&Wave::wavelength)) {
+        Field field = fieldOf(key, wave.wavelength);
+        field.min = 0; // as tile and modes have it
+        keyField(key, std::span(&wave.wavelength, 1), field);
+    } else if (key.is(&Wave::direction)) {
+        headingField(wave.direction);
+    } else if (key.is(&Wave::modes)) {
+        modesField(key, wave.modes);
+    } else {
+        return wave.type == WaveType::HeightMap; // stays as its file has it
+    }
+    return true;
 }
 
 void waveFields(Wave& wave, double speed, bool roomForTextures) {
-    typeCombo(wave, roomForTextures);
-    const double fine = std::max(0.005 * std::abs(wave.amplitude), 1e-6);
-    number("amplitude", wave.amplitude, {.speed = fine},
-           wave.type == WaveType::Phillips ? "m, root mean square of the height"
-                                           : "m, half of crest to trough");
-    if (wave.type == WaveType::Phillips) windFields(wave);
-    if (isTexture(wave.type)) return;
-    number("wavelength", wave.wavelength, {.speed = 0.005 * wave.wavelength, .min = 1e-4}, "m");
-    number("speed", wave.speed, {.speed = 0.005}, "m/s");
-    if (wave.type == WaveType::Cosine) headingField(wave.direction, "from x towards z");
-    if (wave.type == WaveType::Circular) vector("center", wave.center, {.speed = speed}, "x and z, m");
-    if (wave.type == WaveType::Noise) {
-        wholeNumber("octaves", wave.octaves, 1, 12);
-        seedField(wave.seed);
-    } else {
-        number("phase", wave.phase, {.speed = 0.5, .format = "%.1f°"});
-    }
+    const Wave before = wave;
+    keyFields(waveKeys, wave, speed,
+              [&](const Key<Wave>& key) { return ownField(key, wave, roomForTextures); });
+    Wave higher = before;
+    higher.amplitude = wave.amplitude;
+    if (wave.type != WaveType::Phillips || before.type != wave.type || wave == higher) return;
+    if (!raiseSea(wave, windOf(wave))) wave = higher; // a wind that raises nothing changes nothing
 }
 
 void addWave(State& state) {
@@ -144,9 +140,9 @@ void addWave(State& state) {
     ImGui::SameLine();
     ImGui::SetNextItemWidth(-FLT_MIN);
     if (!ImGui::BeginCombo("##preset", "all of them from a preset")) return;
-    for (std::size_t i = 0; i < std::size(io::waterPresets); ++i)
-        if (ImGui::Selectable(std::string(io::waterPresets[i]).c_str()))
-            state.scene.water.waves = io::presetWaves(i, state.scene.water.center.value_or(glm::dvec2(0)));
+    for (std::size_t i = 0; i < std::size(waterPresets); ++i)
+        if (ImGui::Selectable(std::string(waterPresets[i]).c_str()))
+            state.scene.water.waves = presetWaves(i, state.scene.water.center.value_or(glm::dvec2(0)));
     ImGui::EndCombo();
 }
 
@@ -156,15 +152,11 @@ void waterSection(State& state, double speed) {
     if (!section("Water")) return;
     ImGui::PushID("water");
     Water& water = state.scene.water;
-    number("level", water.level, {.speed = speed}, "y of the mean surface, m");
-    number("refraction", water.ior, {.speed = 0.002, .min = 1, .max = 4}, "index of refraction");
-    bodyCombo(water);
-    vector("absorption", water.absorption, perMetre, "1/m, RGB");
-    vector("scattering", water.scattering, perMetre, "1/m, RGB");
-    number("anisotropy", water.anisotropy, {.speed = 0.005, .min = -0.99, .max = 0.99},
-           "mean cosine of the angle that scattering turns light by");
-    wholeNumbers("grid", water.grid, 8, 2048, "quads along x and z");
-    patchFields(water, speed);
+    keyFields(waterKeys, water, speed, [&](const Key<Water>& key) {
+        if (key.name == "type") bodyCombo(key, water);
+        if (key.is(&Water::center)) patchFields(water, speed);
+        return key.is(&Water::center) || key.is(&Water::size);
+    });
     ImGui::PopID();
 }
 

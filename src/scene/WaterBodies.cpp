@@ -1,8 +1,8 @@
-#include "io/WaterBodies.h"
+#include "scene/WaterBodies.h"
 
 #include <array>
 
-namespace limpid::io {
+namespace limpid {
 
 namespace {
 
@@ -51,4 +51,4 @@ std::optional<std::size_t> waterBodyOf(const Water& water) {
     return std::nullopt;
 }
 
-} // namespace limpid::io
+} // namespace limpid

@@ -1,4 +1,4 @@
-#include "io/WaterPresets.h"
+#include "scene/WaterPresets.h"
 
 #include <cmath>
 #include <random>
@@ -6,7 +6,7 @@
 
 #include "core/Tau.h"
 
-namespace limpid::io {
+namespace limpid {
 
 namespace {
 
@@ -112,4 +112,4 @@ std::vector<Wave> presetWaves(std::size_t preset, const glm::dvec2& center) {
     return waves;
 }
 
-} // namespace limpid::io
+} // namespace limpid

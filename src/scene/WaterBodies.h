@@ -5,7 +5,7 @@
 
 #include "scene/Scene.h"
 
-namespace limpid::io {
+namespace limpid {
 
 /// What `water.type` may be. The first, which is the default, neither absorbs nor scatters.
 inline constexpr std::string_view waterBodies[] = {"clearest", "pool", "clear ocean", "coastal"};
@@ -15,4 +15,4 @@ void setWaterBody(std::size_t body, Water& water);
 /// The body that has just these values, if one does.
 std::optional<std::size_t> waterBodyOf(const Water& water);
 
-} // namespace limpid::io
+} // namespace limpid
