@@ -45,9 +45,10 @@ class Caustics {
     Caustics(Caustics&&) noexcept;
     Caustics& operator=(Caustics&&) noexcept;
 
-    /// The scene from now on. Every receiver has a mesh, every number lies in the range that scene/Scene.h
-    /// says. Throws InputError (place, expected, got) or GraphicsError, and then keeps the scene before.
-    /// A host's buffers and textures are as their HostMesh and HostWater say.
+    /// The scene from now on: another, or the same with any change, of which the next update() makes anew
+    /// what depends on it and nothing else. Every receiver has a mesh, every number lies in the range that
+    /// scene/Scene.h says. Throws InputError (place, expected, got) or GraphicsError, and then keeps the
+    /// scene before. A host's buffers and textures are as their HostMesh and HostWater say.
     void set(Scene scene);
     const Scene& scene() const; ///< of the last set(), with its camera framed
 
