@@ -103,6 +103,7 @@ void Engine::start(double causticsTime, double time) {
     _causticsTime = causticsTime;
     _time = time;
     _skipped = {};
+    _water.readHosts();
     for (MapWork& map : _maps.all())
         map.culled = false;
     if (!_reuse) _making.startAnew();

@@ -16,29 +16,47 @@ std::optional<std::string> currentContext() {
     return std::nullopt;
 }
 
+const void* currentHandle() {
+    return wglGetCurrentContext();
+}
+
 #else
 
 namespace {
 
 using Current = void* (*)();
 
-/// Whether a library that is loaded has a function of this name that gives a context.
-bool gives(const char* library, const char* function) {
+/// The context that a function of this name gives, if a library that is loaded has it.
+void* given(const char* library, const char* function) {
     void* const loaded = dlopen(library, RTLD_LAZY | RTLD_NOLOAD);
-    if (!loaded) return false;
+    if (!loaded) return nullptr;
     const auto current = reinterpret_cast<Current>(dlsym(loaded, function));
-    const bool found = current && current();
+    void* const context = current ? current() : nullptr;
     dlclose(loaded);
-    return found;
+    return context;
+}
+
+void* egl() {
+    return given("libEGL.so.1", "eglGetCurrentContext");
+}
+
+void* glx() {
+    for (const char* library : {"libGLX.so.0", "libGL.so.1"})
+        if (void* const context = given(library, "glXGetCurrentContext")) return context;
+    return nullptr;
 }
 
 } // namespace
 
 std::optional<std::string> currentContext() {
-    if (gives("libEGL.so.1", "eglGetCurrentContext")) return "EGL";
-    for (const char* library : {"libGLX.so.0", "libGL.so.1"})
-        if (gives(library, "glXGetCurrentContext")) return "GLX";
+    if (egl()) return "EGL";
+    if (glx()) return "GLX";
     return std::nullopt;
+}
+
+const void* currentHandle() {
+    const void* const context = egl();
+    return context ? context : glx();
 }
 
 #endif

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "levelmap/HostTriangles.h"
 #include "plan/Facings.h"
 
 namespace limpid {
@@ -82,21 +83,41 @@ ReceiverGeometry::ReceiverGeometry(gl::Context& context, const Receiver& receive
     : _parts(receiver.mesh->parts), _materials(receiver.mesh->materials), _closed(isSolid(receiver)),
       _partlySheer(isPartlySheer(*receiver.mesh)) {
     gl::Ledger& ledger = context.ledger();
-    const auto vertices = worldVertices(receiver, origin);
-    _vertices = gl::Buffer(ledger, "meshes", std::span<const Vertex>(vertices));
-    _indices = gl::Buffer(ledger, "meshes", std::span<const std::uint32_t>(receiver.mesh->indices));
+    if (receiver.host)
+        takeHostMesh(context, receiver, origin);
+    else
+        uploadMesh(ledger, receiver, origin);
     _vertexArray.attribute(0, _vertices, 3, offsetof(Vertex, position), sizeof(Vertex));
     _vertexArray.attribute(1, _vertices, 3, offsetof(Vertex, normal), sizeof(Vertex));
     _vertexArray.attribute(2, _vertices, 4, offsetof(Vertex, uv), sizeof(Vertex));
     _vertexArray.shortAttribute(3, _vertices, offsetof(Vertex, color), sizeof(Vertex));
     _vertexArray.indices(_indices);
-    uploadImages(ledger, *receiver.mesh);
     for (std::size_t i = 0; i < _parts.size(); ++i) {
         const Material& material = _materials[std::size_t(_parts[i].material)];
         if (!isSheer(material)) continue;
         const glm::dvec3 center = boundsOf(receiver, _parts[i]).center();
         _sheerParts.push_back({i, glm::vec3(center - origin)});
     }
+}
+
+void ReceiverGeometry::uploadMesh(gl::Ledger& ledger, const Receiver& receiver, const glm::dvec3& origin) {
+    const auto vertices = worldVertices(receiver, origin);
+    _vertices = gl::Buffer(ledger, "meshes", std::span<const Vertex>(vertices));
+    _indices = gl::Buffer(ledger, "meshes", std::span<const std::uint32_t>(receiver.mesh->indices));
+    uploadImages(ledger, *receiver.mesh);
+}
+
+/// Its hull has been planned with; of that nothing is drawn.
+void ReceiverGeometry::takeHostMesh(gl::Context& context, const Receiver& receiver,
+                                    const glm::dvec3& origin) {
+    HostTriangles triangles = hostTriangles(context, receiver, origin);
+    _vertices = std::move(triangles.vertices);
+    _indices = std::move(triangles.indices);
+    _parts = {{0, std::uint32_t(triangles.indexCount), 0}};
+    _materials.assign(1, {});
+    _materials[0].baseColor = glm::vec4(receiver.host->albedo, 1);
+    _partlySheer = false;
+    uploadImages(context.ledger(), {});
 }
 
 void ReceiverGeometry::uploadImages(gl::Ledger& ledger, const Mesh& mesh) {

@@ -44,6 +44,8 @@ class ReceiverGeometry {
     bool translucent() const { return !_sheerParts.empty(); }
 
   private:
+    void uploadMesh(gl::Ledger& ledger, const Receiver& receiver, const glm::dvec3& origin);
+    void takeHostMesh(gl::Context& context, const Receiver& receiver, const glm::dvec3& origin);
     void uploadImages(gl::Ledger& ledger, const Mesh& mesh);
     void drawPart(std::size_t part, const gl::Program& program, GLenum primitive, float cutoff) const;
     /// `prepare`: before each part.

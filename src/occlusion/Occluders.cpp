@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/Bvh.h"
+#include "levelmap/HostTriangles.h"
 
 namespace limpid {
 
@@ -100,8 +101,7 @@ int addVeil(Collected& all, const Mesh& mesh, std::uint32_t firstIndex, int part
     return int(all.veils.size()) - 1;
 }
 
-void add(Collected& all, const Receiver& receiver, int number, const glm::dvec3& origin) {
-    const Mesh& mesh = *receiver.mesh;
+void add(Collected& all, const Receiver& receiver, const Mesh& mesh, int number, const glm::dvec3& origin) {
     std::vector<glm::vec3> places(mesh.positions.size());
     for (std::size_t i = 0; i < places.size(); ++i)
         places[i] = glm::vec3(receiver.toWorld(mesh.positions[i]) - origin);
@@ -131,7 +131,10 @@ std::vector<std::uint32_t> materialWords(Collected& all) {
 Occluders::Occluders(gl::Context& context, std::span<const Receiver> receivers, const glm::dvec3& origin) {
     Collected all;
     for (std::size_t i = 0; i < receivers.size(); ++i)
-        add(all, receivers[i], int(i), origin);
+        if (const Receiver& receiver = receivers[i]; receiver.host)
+            add(all, receiver, readTriangles(*receiver.host), int(i), origin);
+        else
+            add(all, receiver, *receiver.mesh, int(i), origin);
     std::vector<Box3f> boxes;
     for (const Triangle& triangle : all.triangles)
         boxes.push_back(triangle.box());

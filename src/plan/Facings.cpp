@@ -4,6 +4,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "scene/HostMesh.h"
 #include "scene/Places.h"
 
 namespace limpid {
@@ -50,6 +51,23 @@ void forEachFace(const Receiver& receiver, double level, const Visit& visit) {
     }
 }
 
+/// Whether faces are a host's, of which only their hull is known here. A flat hull is all that there is to
+/// know.
+bool isBeyondHull(const Receiver& receiver) {
+    if (!receiver.host) return false;
+    const glm::dvec3 size = receiver.host->bounds.size();
+    return std::min({size.x, size.y, size.z}) > 0;
+}
+
+/// Faces may look along any axis, and lie anywhere in the hull.
+void lookEveryWay(Facings& facings, const Receiver& receiver, double level) {
+    facings.used.fill(true);
+    forEachFace(receiver, level, [&](const Face& face) {
+        for (std::vector<glm::dvec3>& points : facings.points)
+            points.insert(points.end(), face.corners.begin(), face.corners.end());
+    });
+}
+
 /// Adds the face to the axis that it looks along, if it is steep.
 void gather(Facings& facings, std::array<double, 4>& areas, const Face& face, const glm::dvec3& normal) {
     if (std::abs(glm::dot(normal, facings.light)) >= Facings::steep) return;
@@ -90,6 +108,7 @@ bool isSolid(const Receiver& receiver) {
     const auto cutOut = [](const Material& m) { return m.alphaMode != AlphaMode::Opaque; };
     const Mesh& mesh = *receiver.mesh;
     const bool mirrored = receiver.scale.x * receiver.scale.y * receiver.scale.z < 0;
+    if (receiver.host) return !mirrored && receiver.host->closed;
     return !mirrored && std::none_of(mesh.materials.begin(), mesh.materials.end(), cutOut) && isClosed(mesh);
 }
 
@@ -109,6 +128,7 @@ Facings findFacings(const Receiver& receiver, const glm::dvec3& light, double le
         steep += face.area;
         faces.push_back(face);
     });
+    if (isBeyondHull(receiver)) steep = receiver.host->walls ? whole : -1;
     const Bounds bounds = worldBounds(receiver);
     const bool cut = bounds.min.y < level && bounds.max.y > level;
     const bool further = steep >= Facings::fairShare * whole;
@@ -116,6 +136,10 @@ Facings findFacings(const Receiver& receiver, const glm::dvec3& light, double le
     facings.sheet = !closed;
     facings.hollow = cut && !facings.sheet;
     if (!further) return facings;
+    if (isBeyondHull(receiver)) {
+        lookEveryWay(facings, receiver, level);
+        return facings;
+    }
     for (const Face& face : faces) {
         gather(facings, areas, face, face.normal);
         if (facings.sheet) gather(facings, areas, face, -face.normal);
@@ -127,6 +151,7 @@ Facings findFacings(const Receiver& receiver, const glm::dvec3& light, double le
 
 DepthGradients depthGradients(const Receiver& receiver, const OrientedBox& box, const Facings& facings,
                               int facing, double level) {
+    if (isBeyondHull(receiver)) return {glm::dvec2(0), glm::dvec2(-1e3), glm::dvec2(1e3)};
     DepthGradients gradients;
     glm::dvec2 least(1e300), most(-1e300), sum(0);
     double seen = 0;

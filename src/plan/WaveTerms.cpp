@@ -83,9 +83,17 @@ double highestWave(const Wave& wave) {
 }
 
 bool moves(const Water& water) {
-    return std::any_of(water.waves.begin(), water.waves.end(), [](const Wave& wave) {
-        return wave.speed != 0 || wave.spectrum || (wave.heights && wave.heights->frameCount() > 1);
-    });
+    return std::any_of(water.waves.begin(), water.waves.end(),
+                       [](const Wave& wave) {
+                           return wave.speed != 0 || wave.spectrum ||
+                                  (wave.heights && wave.heights->frameCount() > 1);
+                       }) ||
+           isLive(water);
+}
+
+bool isLive(const Water& water) {
+    return std::any_of(water.waves.begin(), water.waves.end(),
+                       [](const Wave& wave) { return wave.heights && wave.heights->texture() != 0; });
 }
 
 double steepestSlope(const Water& water) {

@@ -28,6 +28,9 @@ double steepestSlope(const Wave& wave);
 /// Whether the surface differs between two times.
 bool moves(const Water& water);
 
+/// Whether the surface may have changed though the time has not: a host's texture.
+bool isLive(const Water& water);
+
 /// A bound on how far the surface leaves its mean level, m.
 double highestWave(const Water& water);
 double highestWave(const Wave& wave);

@@ -3,6 +3,7 @@
 #include <embree3/rtcore_config.h>
 #include <fmt/format.h>
 
+#include "core/Error.h"
 #include "core/Progress.h"
 #include "plan/Plan.h"
 #include "reference/FaceSorting.h"
@@ -52,6 +53,10 @@ io::Bake bakeOf(const TraceJob& job, TraceResult result) {
 } // namespace
 
 TraceJob referenceJob(const Scene& scene, double time) {
+    for (const Receiver& receiver : scene.receivers)
+        if (receiver.host)
+            throw InputError(fmt::format("receiver \"{}\": expected triangles in memory, found a HostMesh",
+                                         receiver.name));
     const Plan plan = planOf(scene);
     TraceJob job{scene, time, plan.origin, {}, {}, {}, {}};
     job.patchMin = plan.patch.min();

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -40,6 +41,9 @@ class HeightSource {
     virtual const HeightBounds& bounds() const = 0;
     /// Least difference of two heights as the first frame's file stores them; 0 for floating point.
     virtual double step() const { return 0; }
+    /// OpenGL texture of a host's that holds the heights in place of frame(), and may hold others at any time
+    /// (scene/HostWater.h); 0: none.
+    virtual std::uint32_t texture() const { return 0; }
 };
 
 } // namespace limpid

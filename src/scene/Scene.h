@@ -103,11 +103,14 @@ struct Light {
     bool operator==(const Light&) const = default;
 };
 
+struct HostMesh;
+
 /// An object that caustics fall on. `mesh` is in its own space; translation · rotation · scale puts it into
 /// the world.
 struct Receiver {
     std::string name = "receiver";
     std::shared_ptr<const Mesh> mesh;
+    std::shared_ptr<const HostMesh> host{}; ///< triangles of a host's, whose hull `mesh` is; mostly null
     glm::dvec3 translation{0};
     glm::dquat rotation{1, 0, 0, 0}; ///< unit
     glm::dvec3 scale{1};

@@ -6,6 +6,7 @@
 
 #include <glm/glm.hpp>
 
+#include "core/Picture.h"
 #include "gl/Context.h"
 #include "scene/Scene.h"
 #include "view/ReceiverPass.h"
@@ -13,12 +14,6 @@
 #include "view/WaterPass.h"
 
 namespace limpid {
-
-/// Linear radiance, RGB floats, W/(m² sr), rows from the top.
-struct Picture {
-    glm::ivec2 size{0};
-    std::vector<float> rgb;
-};
 
 /// Luminance, after exposure, that is shown as white. A white wall in the default sun stays below it; only a
 /// caustic's core reaches it.

@@ -56,7 +56,18 @@ HeightMapData HeightMaps::bindFrames(const Wave& wave, std::size_t number, const
     hold(frames, wave.heights, pair.first, pair.second).spline.bind(unit);
     hold(frames, wave.heights, pair.second, pair.first).spline.bind(unit + 1);
     _tiles[number] = {};
+    _hostSplines[number] = {};
     return heightMapData(wave, origin, pair.share);
+}
+
+HeightMapData HeightMaps::bindHost(const Wave& wave, std::size_t number, const glm::dvec3& origin) {
+    if (!_hostHeights) _hostHeights = std::make_unique<HostHeights>(_context);
+    _hostHeights->update(_hostSplines[number], *wave.heights);
+    _hostSplines[number].bind(GLuint(2 * number));
+    _hostSplines[number].bind(GLuint(2 * number + 1));
+    _frames[number] = {};
+    _tiles[number] = {};
+    return heightMapData(wave, origin, 0);
 }
 
 HeightMapData HeightMaps::bindSpectrum(const Wave& wave, std::size_t number, const glm::dvec3& origin,
@@ -67,6 +78,7 @@ HeightMapData HeightMaps::bindSpectrum(const Wave& wave, std::size_t number, con
     tile.heights.bind(GLuint(2 * number));
     tile.heights.bind(GLuint(2 * number + 1));
     _frames[number] = {};
+    _hostSplines[number] = {};
     // Texel 0 is at the world's origin; how far that is from the scene's is told within one tile.
     const glm::dvec2 texels = double(tile.heights.size().x) / wave.spectrum->tile;
     const glm::dvec2 away = glm::mod(glm::dvec2(origin.x, origin.z), wave.spectrum->tile);
@@ -80,12 +92,17 @@ std::vector<HeightMapData> HeightMaps::bind(const Water& water, const glm::dvec3
         if (maps.size() == _frames.size())
             throw InputError(fmt::format(
                 "water.wave: expected at most {} height maps and spectra, found more", _frames.size()));
-        maps.push_back(wave.type == WaveType::Phillips ? bindSpectrum(wave, maps.size(), origin, time)
-                                                       : bindFrames(wave, maps.size(), origin, time));
+        if (wave.type == WaveType::Phillips)
+            maps.push_back(bindSpectrum(wave, maps.size(), origin, time));
+        else if (wave.heights->texture() != 0)
+            maps.push_back(bindHost(wave, maps.size(), origin));
+        else
+            maps.push_back(bindFrames(wave, maps.size(), origin, time));
     }
     for (std::size_t i = maps.size(); i < _frames.size(); ++i) {
         _frames[i] = {};
         _tiles[i] = {};
+        _hostSplines[i] = {};
     }
     return maps;
 }

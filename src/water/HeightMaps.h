@@ -8,6 +8,7 @@
 #include "gl/Context.h"
 #include "gl/Handles.h"
 #include "scene/Scene.h"
+#include "water/HostHeights.h"
 #include "water/SpectralWaves.h"
 
 namespace limpid {
@@ -30,7 +31,8 @@ struct HeightMapData {
 
 /// The frames that are to be seen of each height map, as textures: coefficients of a B-spline (HeightField),
 /// R32F, row 0 at the smallest z. A frame that is there from the call before is not loaded again. Spectra
-/// come as height maps that are made anew for each time, and are tiled.
+/// come as height maps that are made anew for each time, and are tiled; a host's texture is read anew by each
+/// `bind`.
 class HeightMaps {
   public:
     explicit HeightMaps(gl::Context& context) : _context(context) {}
@@ -52,12 +54,15 @@ class HeightMaps {
     const Frame& hold(Frames& frames, const std::shared_ptr<HeightSource>& source, int index, int kept);
 
     HeightMapData bindFrames(const Wave& wave, std::size_t number, const glm::dvec3& origin, double time);
+    HeightMapData bindHost(const Wave& wave, std::size_t number, const glm::dvec3& origin);
     HeightMapData bindSpectrum(const Wave& wave, std::size_t number, const glm::dvec3& origin, double time);
 
     gl::Context& _context;
     std::array<Frames, maxHeightMaps> _frames;
     std::array<SpectralTile, maxHeightMaps> _tiles;
+    std::array<gl::Texture, maxHeightMaps> _hostSplines;
     std::unique_ptr<SpectralWaves> _spectralWaves; ///< made for the first spectrum
+    std::unique_ptr<HostHeights> _hostHeights;     ///< made for the first of a host's textures
 };
 
 } // namespace limpid

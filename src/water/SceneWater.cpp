@@ -18,7 +18,11 @@ void SceneWater::set(const Water& water, const WaterPatch& patch, const glm::dve
 }
 
 SceneWater::Moment SceneWater::moment(double time) const {
-    return {_shapeStamp, _moves ? time : 0};
+    return {_shapeStamp, _moves ? time : 0, _read};
+}
+
+void SceneWater::readHosts() {
+    _read = isLive(_shape.water) ? _making.next() : 0;
 }
 
 const WaterMesh& SceneWater::at(double time) {

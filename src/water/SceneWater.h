@@ -18,9 +18,12 @@ class SceneWater {
     struct Moment {
         Stamp shape = 0;
         double time = 0; ///< s; 0 where nothing moves
+        Stamp read = 0;  ///< when a host's heights were read; 0 without such
         bool operator==(const Moment&) const = default;
     };
     Moment moment(double time) const;
+    /// From here on a host's texture (scene/HostWater.h) counts as it now is, until the next call.
+    void readHosts();
     /// The surface at `time` (s). Throws InputError if a height map's frame cannot be loaded.
     const WaterMesh& at(double time);
     /// As it was last asked for.
@@ -42,6 +45,7 @@ class SceneWater {
     Shape _shape;
     Stamp _shapeStamp = 0;
     bool _moves = false;
+    Stamp _read = 0;
     Kept<Moment> _shown;
 };
 

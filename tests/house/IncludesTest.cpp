@@ -33,6 +33,7 @@ const std::map<std::string, Strings> mayInclude = {
     {"view", {"core", "gl", "scene", "plan", "water", "levelmap", "caustics"}},
     {"engine",
      {"core", "gl", "scene", "plan", "water", "levelmap", "occlusion", "caustics", "godrays", "view"}},
+    {"limpid", {"core", "gl", "scene", "engine"}},
     {"reference", {"core", "scene", "plan", "io"}},
     {"audit", {"core", "gl", "scene", "plan", "water", "levelmap", "engine", "reference"}},
     {"apps",
@@ -40,8 +41,9 @@ const std::map<std::string, Strings> mayInclude = {
       "engine", "reference", "audit"}},
 };
 
-const Strings sourceFolders = {"src", "shaders", "tests", "models", "profiles/bench"};
-const Strings codeFolders = {"src", "shaders", "tests", "models", "profiles/bench", "tools", "cmake", ".ci"};
+const Strings sourceFolders = {"src", "shaders", "tests", "examples", "models", "profiles/bench"};
+const Strings codeFolders = {"src",   "shaders", "tests", "examples", "models", "profiles/bench",
+                             "tools", "cmake",   ".ci"};
 const Strings sourceExtensions = {".cpp",  ".h",    ".glsl", ".comp", ".vert",
                                   ".tesc", ".tese", ".geom", ".frag"};
 
