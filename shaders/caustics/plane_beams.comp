@@ -111,7 +111,7 @@ int texelsOf(Walk walk) {
 }
 
 // Light along the receiver sweeps over many texels and meets few. The planes that it may meet are cut into so many slabs
-// that it sweeps about its own width in each; a power of two, so that whole runs of them can be passed over.
+// that it sweeps about its own width in each; a power of two, so that whole runs of them can be skipped.
 int slabsAlong(Quad quad, vec2 depths) {
     precise vec2 slope = max(max(abs(quad.p.zw), abs(quad.q.zw)), max(abs(quad.r.zw), abs(quad.s.zw)));
     precise vec2 across = max(abs(quad.q.xy - quad.p.xy), abs(quad.r.xy - quad.s.xy));

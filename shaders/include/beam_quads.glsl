@@ -96,7 +96,7 @@ int texelsOf(Slab slab) {
 bool isOneSlab(Slab slab, vec2 depths) { return texelsOf(slab) <= mostTexels || depths.y - depths.x <= boxExtent.w; }
 
 // Light along the receiver may meet it anywhere: its way through the box is cut into so many slabs of depth that
-// each has few texels. A power of two, so that whole runs of them can be passed over.
+// each has few texels. A power of two, so that whole runs of them can be skipped.
 int slabsAlong(Quad quad) {
     vec2 slope = max(max(abs(quad.p.zw), abs(quad.q.zw)), max(abs(quad.r.zw), abs(quad.s.zw)));
     vec2 across = max(abs(quad.q.xy - quad.p.xy), abs(quad.r.xy - quad.s.xy));

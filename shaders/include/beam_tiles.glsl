@@ -1,4 +1,4 @@
-// Beams by tiles of the water's grid, so that those which cannot reach a map are passed over many at a time.
+// Beams by tiles of the water's grid, so that those which cannot reach a map are culled many at a time.
 
 // Quads along a side of a tile.
 const int tileQuads = 8;

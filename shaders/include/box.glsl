@@ -10,7 +10,7 @@ layout(std140, binding = 1) uniform BoxFrame {
     vec4 facingLight;   // mean light, unit; w: faces whose normal is within this sine of being across it are steep
     vec4 boxShear;      // how depth grows along u and w on the whole, m/m: the lean of the receiver in its box
     vec4 boxGradients;  // least along u, w and greatest along u, w of any face's depth, m/m
-    vec4 facingAxes[4]; // unit, across the mean light; w: 1 where there is a further map
+    vec4 facingAxes[4]; // unit, across the mean light; w: 1 where there is a side map
 };
 
 // (along u, along w, depth) of a point, m.

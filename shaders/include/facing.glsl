@@ -2,7 +2,7 @@
 // further one by where they look (plan/Facings.h).
 #include "include/box.glsl"
 
-// 0 the main map; k the further map that looks against facingAxes[k - 1].
+// 0 the main map; k the side map that looks against facingAxes[k - 1].
 int facingOf(vec3 faceNormal) {
     if (abs(dot(faceNormal, facingLight.xyz)) >= facingLight.w) return 0;
     int best = 0;

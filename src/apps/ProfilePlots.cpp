@@ -123,7 +123,7 @@ double peakMiB(const ProfileResult& result) {
     return 0;
 }
 
-/// Planes drawn of the maps along the light; what further maps take is no matter of slicing.
+/// Planes drawn of the maps along the light; what side maps take is no matter of slicing.
 double planesAlongLight(const ProfileResult& result) {
     double planes = 0;
     for (const MeasuredMap& map : result.maps)

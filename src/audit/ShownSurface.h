@@ -12,7 +12,7 @@ namespace limpid {
 /// (levelmap/Coverage.h).
 struct ShownSurface {
     int receiver = 0;
-    int facing = 0; ///< 0 the map along the light, k a further map
+    int facing = 0; ///< 0 the map along the light, k a side map
     reference::FaceSorting faces;
     TexelFrame frame;                ///< m from the scene's origin
     double level = 0;                ///< of the water, y from the scene's origin, m

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <string>
 #include <vector>
 
@@ -60,6 +61,7 @@ BeamCulling::BeamCulling(gl::Context& context)
 
 void BeamCulling::cull(const BeamTiles& tiles, const LevelMap& map, const gl::Texture& pyramid,
                        Depths depths) {
+    assert(tiles.bounds.id() != 0 && pyramid.size() == map.frame.size);
     const std::int64_t bytes = 4 * (5 + tiles.count());
     if (_kept.bytes() < bytes) {
         _kept = {};

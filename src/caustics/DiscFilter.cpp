@@ -26,7 +26,7 @@ DiscFilter::DiscFilter(gl::Context& context) : _context(context), _filter({"caus
 void DiscFilter::apply(CausticMap& caustics, const Inputs& inputs) {
     const glm::dvec3 right = turned(inputs.light, inputs.water, {1, 0});
     const glm::dvec3 down = turned(inputs.light, inputs.water, {0, 1});
-    // Narrower than the filter looks at. A further map's faces may be so steep that a narrow beam is wide
+    // Narrower than the filter looks at. A side map's faces may be so steep that a narrow beam is wide
     // there.
     const double widest = inputs.farthest * std::max(glm::length(right), glm::length(down));
     if (inputs.map.facing == 0 && widest < 0.05 * inputs.map.frame.texel) return;

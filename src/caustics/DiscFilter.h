@@ -9,7 +9,7 @@ namespace limpid {
 
 /// Spreads the light of a few points of a light's disc (plan/SunDisc.h) over what each of them stands for:
 /// the image that this part of the disc makes through flat water, an ellipse about each texel, over
-/// neighbours on the same surface. Light that falls through waves on a floor comes out right; half-shadows
+/// neighbours on the same surface. Light that falls through waves on a floor comes out right; penumbras
 /// are as wide as if the water's surface cast them, but by this part of the disc only.
 class DiscFilter {
   public:

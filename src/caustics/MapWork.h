@@ -28,8 +28,8 @@ struct MapWork {
     CausticMap caustics;
     gl::Texture
         taken; ///< shares of its light (occlusion/TakenLight.h); empty where light goes through nothing
-    bool culled = false;   ///< whether the last update has passed over beams of which none could reach it
-    gl::Buffer askedBeams; ///< a uint: how many it has not passed over
+    bool culled = false;   ///< whether the last update has culled beams of which none could reach it
+    gl::Buffer askedBeams; ///< a uint: how many it has not culled
 
     /// Whether all but the light is there.
     bool isDrawn() const { return prepared.stamp() != 0; }

@@ -1,5 +1,6 @@
 #include "caustics/TangentPlanes.h"
 
+#include <cassert>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,7 @@ const gl::Program& TangentPlanesPass::programFor(const Rims* rims) {
 }
 
 void TangentPlanesPass::update(TangentPlanes& planes, const LevelMap& map, const Rims* rims) {
+    assert(map.position.id() != 0);
     const glm::ivec2 size = map.frame.size;
     if (!planes.planes.id() || planes.planes.size() != size) {
         gl::Ledger& ledger = _context.ledger();

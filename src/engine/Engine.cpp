@@ -1,6 +1,7 @@
 #include "engine/Engine.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "engine/Limits.h"
@@ -100,6 +101,7 @@ Frame Engine::frame() {
 
 /// An update to `time`, with caustics of another.
 void Engine::start(double causticsTime, double time) {
+    assert(std::isfinite(time));
     _causticsTime = causticsTime;
     _time = time;
     _skipped = {};

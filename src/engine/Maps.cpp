@@ -1,6 +1,7 @@
 #include "engine/Maps.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "caustics/Methods.h"
 #include "core/OneOf.h"
@@ -192,6 +193,7 @@ void Maps::takeLight(const Frame& frame, const MapInputs& inputs, MapWork& map) 
 }
 
 bool Maps::fill(const Frame& frame, const Lights& lights, MapWork& map) {
+    assert(map.isDrawn());
     const MapInputs inputs = inputsOf(frame, lights, map);
     return map.filled.bring(frame.making, filledFrom(frame, inputs, map), [&] {
         fillAll(frame, inputs, map);

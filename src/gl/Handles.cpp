@@ -1,6 +1,7 @@
 #include "gl/Handles.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include <fmt/format.h>
 
@@ -53,6 +54,7 @@ void checkAllocation(const std::string& kind, std::int64_t bytes, Undo undo) {
 
 Buffer::Buffer(Ledger& ledger, std::string kind, std::int64_t bytes, const void* data)
     : _bytes(std::max<std::int64_t>(bytes, 16)), _kind(std::move(kind)), _ledger(&ledger) {
+    assert(bytes >= 0);
     ledger.require(_kind, _bytes);
     glCreateBuffers(1, &_id);
     glNamedBufferStorage(_id, _bytes, _bytes == bytes ? data : nullptr, GL_DYNAMIC_STORAGE_BIT);
@@ -63,6 +65,7 @@ Buffer::Buffer(Ledger& ledger, std::string kind, std::int64_t bytes, const void*
 }
 
 void Buffer::write(std::int64_t offset, std::int64_t bytes, const void* data) {
+    assert(_id != 0 && offset >= 0 && offset + bytes <= _bytes);
     if (bytes > 0) glNamedBufferSubData(_id, offset, bytes, data);
 }
 
@@ -71,10 +74,12 @@ void Buffer::clearToZero() {
 }
 
 void Buffer::copy(const Buffer& from, std::int64_t offset, std::int64_t bytes) {
+    assert(_id != 0 && offset + bytes <= from._bytes && bytes <= _bytes);
     glCopyNamedBufferSubData(from._id, _id, offset, 0, bytes);
 }
 
 void Buffer::readBytes(void* out, std::int64_t offset, std::int64_t bytes) const {
+    assert(_id != 0 && offset >= 0 && offset + bytes <= _bytes);
     glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     if (bytes > 0) glGetNamedBufferSubData(_id, offset, bytes, out);
     requireContext();
@@ -117,6 +122,7 @@ Texture::Texture(Ledger& ledger, std::string kind, GLenum internalFormat, glm::i
     : _format(internalFormat), _size(size), _levels(levelsOf(size, mipmaps)), _layers(layers.count),
       _bytes(textureBytes(size, _levels, internalFormat) * std::max(_layers, 1)), _kind(std::move(kind)),
       _ledger(&ledger) {
+    assert(size.x >= 1 && size.y >= 1);
     ledger.require(_kind, _bytes);
     glCreateTextures(_layers > 0 ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D, 1, &_id);
     if (_layers > 0)
@@ -144,6 +150,7 @@ void Texture::setFilter(GLenum filter, GLenum wrap) {
 }
 
 std::vector<float> Texture::readFloats(GLenum format, int channels) const {
+    assert(_id != 0 && channels >= 1 && channels <= 4);
     glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
     const PixelTransfer transfer;
     std::vector<float> out(std::size_t(_size.x) * std::size_t(_size.y) * std::size_t(std::max(_layers, 1)) *

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <string_view>
 #include <vector>
 
@@ -91,6 +92,7 @@ Program::Program(std::initializer_list<const char*> files, std::span<const std::
 }
 
 void Program::dispatch(std::int64_t items, int groupSize) const {
+    assert(_id != 0 && groupSize >= 1);
     if (items <= 0) return;
     use();
     // A row of groups is at most 65,535 long; shaders flatten (x, y) back and check against the count.
@@ -100,6 +102,7 @@ void Program::dispatch(std::int64_t items, int groupSize) const {
 }
 
 void Program::dispatchIndirect(const Buffer& buffer, std::int64_t offset) const {
+    assert(_id != 0 && offset % 4 == 0 && offset + 12 <= buffer.bytes());
     use();
     glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, buffer.id());
     glDispatchComputeIndirect(GLintptr(offset));

@@ -17,7 +17,7 @@ struct BakedMap {
     std::vector<float> position;   ///< RGBA: m relative to the origin; 1 where there is a receiver
     std::vector<float> normal;     ///< RGB: unit, geometric, facing the box's top
     glm::dmat4 worldToTexture{1};
-    int facing = 0; ///< 0 the map along the light, else a further map for faces along it
+    int facing = 0; ///< 0 the map along the light, else a side map for faces along it
     int planesRequested = 0, planesDrawn = 0;
     double deposited = 0; ///< W
     /// Of `reference`: the nMAE (mean absolute error over the mean) that a perfect map would show against

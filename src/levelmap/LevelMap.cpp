@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 
 namespace limpid {
 
@@ -45,6 +46,7 @@ gl::Buffer boxFrame(gl::Ledger& ledger, const TexelFrame& frame, int planes, int
 } // namespace
 
 void prepareLevelMap(gl::Context& context, LevelMap& map, const LevelMapLayout& layout) {
+    assert(layout.mapSize >= 1 && layout.planes >= 1);
     gl::Ledger& ledger = context.ledger();
     map.frame = texelFrame(layout.box, layout.mapSize);
     const int count = map.frame.flat ? 1 : layout.planes;
@@ -71,6 +73,7 @@ LevelMapPass::LevelMapPass(gl::Context& context)
       _program({"levelmap/level_map.vert", "levelmap/face.geom", "levelmap/level_map.frag"}) {}
 
 void LevelMapPass::draw(LevelMap& map, const LitReceiver& receiver) {
+    assert(map.position.size() == map.frame.size && "a level map that is laid out");
     const gl::Texture depth(_context.ledger(), "depth buffer", GL_DEPTH_COMPONENT32F, map.frame.size);
     const gl::Texture* const targets[] = {&map.position, &map.diffuse, &map.normal};
     const gl::Framebuffer framebuffer("level map", targets, &depth);

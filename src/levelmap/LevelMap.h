@@ -22,14 +22,14 @@ struct LevelMap {
                           ///< inside of a solid
     gl::Texture diffuse;  ///< SRGB8_ALPHA8: base colour; share of the mean light that arrives
     gl::Texture normal;   ///< RG16: geometric normal facing the box's top, octahedral
-    int facing = 0; ///< 0 the map along the light; k the further map that sees axis k - 1 of the facings
+    int facing = 0;       ///< 0 the map along the light; k the side map that sees axis k - 1 of the facings
     int requestedPlanes = 0;
     std::vector<ReferencePlane> planes; ///< to be drawn, from the top down
 };
 
 /// What a level map is laid out by.
 struct LevelMapLayout {
-    const OrientedBox& box; ///< in the world, along the mean light or along the view of a further map
+    const OrientedBox& box; ///< in the world, along the mean light or along the view of a side map
     const Facings& facings;
     const DepthGradients& gradients; ///< of the faces that the map holds
     int mapSize;                     ///< texels on the longer side of the box

@@ -1,6 +1,7 @@
 #include "levelmap/PlaneDepths.h"
 
 #include <algorithm>
+#include <cassert>
 #include <vector>
 
 namespace limpid {
@@ -25,6 +26,7 @@ PlaneDepthsPass::PlaneDepthsPass(gl::Context& context)
     : _context(context), _program({"levelmap/plane_depths.comp"}) {}
 
 void PlaneDepthsPass::update(PlaneDepths& depths, const LevelMap& map) {
+    assert(map.position.id() != 0);
     gl::Ledger& ledger = _context.ledger();
     if (!depths.pyramid.id() || depths.pyramid.size() != map.frame.size)
         depths.pyramid = gl::Texture(ledger, "plane depths", GL_RGBA32F, map.frame.size, gl::Mipmaps::Full);

@@ -11,12 +11,12 @@ namespace limpid {
 
 /// Faces that run along the mean light (pool walls under a high sun) have no texels in a map seen along it,
 /// though waves throw light on them. They are gathered by where they look, in four directions across the
-/// light; each that holds a fair share of the receiver gets a further map, seen half-way between light and
+/// light; each that holds a fair share of the receiver gets a side map, seen half-way between light and
 /// face.
 struct Facings {
     /// Sine of the angle to the light below which a face is steep: 4°, about what waves bend light by.
     static constexpr double steep = 0.07;
-    /// Share of a receiver's area from which a further map is made. A sphere has 0.03 each way and does
+    /// Share of a receiver's area from which a side map is made. A sphere has 0.03 each way and does
     /// without.
     static constexpr double fairShare = 0.05;
 

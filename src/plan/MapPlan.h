@@ -21,7 +21,7 @@ struct PlannedReceiver {
 struct PlannedMap {
     int receiver = 0;
     int light = 0;
-    int facing = 0;                         ///< 0 the map along the light; k the further map of axis k - 1
+    int facing = 0;                         ///< 0 the map along the light; k the side map of axis k - 1
     std::shared_ptr<const Facings> facings; ///< of this receiver and light
     OrientedBox box;                        ///< in the world
     DepthGradients gradients;
@@ -31,11 +31,11 @@ struct PlannedMap {
 };
 
 /// One for each light and each receiver that reaches into the water, lights outermost; after it, one for each
-/// of its further maps. `receivers`: as the scene has them.
+/// of its side maps. `receivers`: as the scene has them.
 std::vector<PlannedMap> planMaps(const Scene& scene, std::span<const PlannedReceiver> receivers,
                                  const WaterPatch& patch);
 
-/// Texels on the longer side of a map. Further maps are lit by beams that run along them, each over many
+/// Texels on the longer side of a map. Side maps are lit by beams that run along them, each over many
 /// texels; finer than a quarter of the water's quads there is nothing to see in them.
 int mapSize(const Scene& scene, const WaterPatch& patch, const OrientedBox& box, int facing);
 

@@ -12,7 +12,7 @@ namespace limpid {
 Light beside(const Light& light, const glm::dvec2& offset);
 
 /// What one of discPoints stands for: a disc of this radius about it, in radii of the light's. Wider, the
-/// four run together better in deep water; narrower, half-shadows and shallow water gain. Of 0.5 to 0.8, this
+/// four run together better in deep water; narrower, penumbras and shallow water gain. Of 0.5 to 0.8, this
 /// had the least sum of both errors.
 inline constexpr double discPointRadius = 0.7;
 

@@ -9,7 +9,7 @@
 namespace limpid::reference {
 
 /// Which of a receiver's maps holds a face, as the bake sorts them: faces that run along the mean light go to
-/// a further map by where they look.
+/// a side map by where they look.
 struct FaceSorting {
     glm::dvec3 light{0, -1, 0};       ///< mean light, unit
     double steep = 0;                 ///< |normal · light| below which a face runs along the light
@@ -17,7 +17,7 @@ struct FaceSorting {
     std::array<bool, 4> used{};       ///< whether axis k has a map
     bool sheet = false;               ///< both sides of a face take light, each in its own map
 
-    /// 0 the map along the light; k the further map of axis k - 1. `normal`: unit, by the winding.
+    /// 0 the map along the light; k the side map of axis k - 1. `normal`: unit, by the winding.
     int mapOf(const glm::dvec3& normal) const {
         if (std::abs(glm::dot(normal, light)) >= steep) return 0;
         std::size_t best = 0;

@@ -15,7 +15,7 @@ namespace limpid::reference {
 struct MapRequest {
     int receiver = 0;
     int light = 0;
-    int facing = 0; ///< 0 the map along the light, k a further map
+    int facing = 0; ///< 0 the map along the light, k a side map
     FaceSorting faces;
     TexelFrame frame; ///< in the world
 };

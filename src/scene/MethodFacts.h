@@ -70,7 +70,7 @@ constexpr Fill fillOf(Method method, Fill asked) {
     return factsOf(method).fills ? asked : factsOf(method).fill;
 }
 
-/// Light summed beam by beam in compute passes: beams are passed over many at a time, and a
+/// Light summed beam by beam in compute passes: beams are culled many at a time, and a
 /// light's disc is more than a point.
 constexpr bool sumsBeams(const CausticsSettings& settings) {
     return factsOf(settings.method).sumsBeams && fillOf(settings.method, settings.fill) == Fill::OnePass;

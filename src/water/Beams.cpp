@@ -1,5 +1,6 @@
 #include "water/Beams.h"
 
+#include <cassert>
 #include <cmath>
 
 #include "plan/FlatWater.h"
@@ -39,6 +40,7 @@ void BeamTracer::prepare(Beams& beams, const WaterMesh& surface, const Light& li
 }
 
 void BeamTracer::trace(Beams& beams, const WaterMesh& surface, const gl::Texture* surfaceShadow) {
+    assert(beams.vertexCount == surface.vertexCount && beams.triangleCount == surface.triangleCount);
     beams.frame.bindUniform(0);
     surface.indices.bindStorage(0);
     surface.positions.bindStorage(1);

@@ -166,7 +166,7 @@ TEST_F(ExactBeamsGLTest, aSunsDiscGivesHalfShadows) {
     // How far the rim's light comes aside from the surface to the floor, texels.
     const int radius = int(128 * 2 * std::tan(glm::radians(2.0)) / scene.water.ior);
     const int edge = soft.size.x / 2;
-    EXPECT_NEAR(share(edge - radius - 2), 1, 0.002) << "beyond the half-shadow";
+    EXPECT_NEAR(share(edge - radius - 2), 1, 0.002) << "beyond the penumbra";
     // One of four points may lie on the edge, and counts on either side of it.
     EXPECT_NEAR(0.5 * (share(edge - 1) + share(edge)), 0.5, 0.125) << "half of the disc is hidden";
     EXPECT_NEAR(share(edge + radius + 2), 0, 0.002) << "in full shadow";

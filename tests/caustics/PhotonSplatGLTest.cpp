@@ -128,7 +128,7 @@ TEST_F(PhotonSplatGLTest, oneGridOverAllWaterLightsEachReceiver) {
 
 TEST_F(PhotonSplatGLTest, landsOnTheTopOrOnAWall) {
     // Seen askew, the walls of a block show without its top: a photon that went in there must not be found
-    // again as one that came upon a wall from beside. (On a fish, further maps had a hundred times their
+    // again as one that came upon a wall from beside. (On a fish, side maps had a hundred times their
     // light so.)
     Scene scene;
     scene.receivers = {scenes::shape("block", makeBox({0.6, 0.5, 0.4}, glm::vec3(0.8f)), {0, -0.8, 0})};

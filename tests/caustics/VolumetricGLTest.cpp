@@ -87,9 +87,9 @@ class VolumetricGLTest : public EngineGLTest {
 /// Thesis 6.2: "per-pixel identical".
 class VolumetricIdentityGLTest : public VolumetricGLTest, public ::testing::WithParamInterface<const char*> {
   protected:
-    /// The same bits, but for texels in half-shade. There a sum is multiplied with the share of the light
+    /// The same bits, but for texels in penumbra. There a sum is multiplied with the share of the light
     /// that arrives, where the level map multiplies each term: some hundred positive terms round to within 2
-    /// · 100 · 2⁻²⁴ of each other. Returns the texels in half-shade.
+    /// · 100 · 2⁻²⁴ of each other. Returns the texels in penumbra.
     static int expectIdentity(const Scene& scene) {
         const double rounding = 1.2e-5;
         Engine& engine = sharedEngine();
@@ -125,7 +125,7 @@ TEST_P(VolumetricIdentityGLTest, aReceiverAlone) {
             Scene scene = sceneOf(GetParam(), degrees, planes);
             addWaves(scene);
             const int halfShade = expectIdentity(scene);
-            // Those with further maps shade themselves in them.
+            // Those with side maps shade themselves in them.
             if (std::string(GetParam()) == "floor" || std::string(GetParam()) == "hemisphere") {
                 EXPECT_EQ(halfShade, 0);
             }
@@ -142,7 +142,7 @@ TEST_P(VolumetricIdentityGLTest, inTheShadeOfAnother) {
     lamp.position = {0.6, 0.8, 0.3};
     scene.lights.push_back(lamp);
     addWaves(scene);
-    EXPECT_GT(expectIdentity(scene), 100) << "there is half-shade to compare";
+    EXPECT_GT(expectIdentity(scene), 100) << "there is penumbra to compare";
 }
 
 INSTANTIATE_TEST_SUITE_P(receivers, VolumetricIdentityGLTest,

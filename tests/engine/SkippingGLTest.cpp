@@ -140,7 +140,7 @@ TEST_F(SkippingGLTest, passesOverBeamsThatMissAReceiver) {
         const Baked less = bake(skipping, scene), all = bake(working, scene);
         expectSameMaps(less, all, "balls");
         const std::int64_t beams = 2 * 48 * 48, pairs = beams * std::int64_t(skipping.maps().size());
-        printf("%.1f %% of beams by maps are passed over\n",
+        printf("%.1f %% of beams by maps are culled\n",
                100 * double(skipping.skipped().beams) / double(pairs));
         EXPECT_GT(skipping.skipped().beams, pairs / 2) << "ten small receivers in a wide water";
         EXPECT_LT(skipping.skipped().beams, pairs);

@@ -108,7 +108,7 @@ void skippedTable(Stage& stage) {
     for (const MapWork& maps : engine.maps()) {
         const std::string& receiver = engine.scene().receivers[std::size_t(maps.plan.receiver)].name;
         const std::string facing =
-            maps.level.facing > 0 ? fmt::format(", further map {}", maps.level.facing) : "";
+            maps.level.facing > 0 ? fmt::format(", side map {}", maps.level.facing) : "";
         const int left = maps.level.requestedPlanes - int(maps.level.planes.size());
         row(fmt::format("{} in {}{}", receiver, engine.scene().lights[std::size_t(maps.plan.light)].name,
                         facing),

@@ -165,7 +165,7 @@ void Understanding::mapChoice(State& state, Stage& stage) {
         if (state.selected == maps.plan.receiver && maps.plan.light == state.light)
             further = std::max(further, maps.level.facing);
     if (further == 0) return;
-    ImGui::SliderInt("map", &_facing, 0, further, _facing == 0 ? "along the light" : "further map %d");
+    ImGui::SliderInt("map", &_facing, 0, further, _facing == 0 ? "along the light" : "side map %d");
 }
 
 /// Texels by reference plane; planes that are left out, and those that are drawn.
