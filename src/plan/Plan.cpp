@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "plan/Framing.h"
 #include "plan/LampPatch.h"
 
 namespace limpid {
@@ -58,7 +57,6 @@ PlannedLight planLight(const Light& light, const Water& water, const Plan& plan)
 
 Plan planOf(const Scene& scene) {
     Plan plan;
-    plan.camera = framedCamera(scene);
     plan.origin = sceneOrigin(scene);
     plan.patch = coveringPatch(scene);
     for (const Receiver& receiver : scene.receivers)

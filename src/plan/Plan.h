@@ -23,7 +23,6 @@ struct PlannedLight {
 /// whoever computes light for the same scene has the same. It does not depend on time, nor on how caustics
 /// are computed.
 struct Plan {
-    Camera camera;                          ///< with position and target
     glm::dvec3 origin{0};                   ///< in the world, m: what single precision is relative to
     WaterPatch patch;                       ///< of the surface, in the world
     std::vector<PlannedReceiver> receivers; ///< as the scene has them

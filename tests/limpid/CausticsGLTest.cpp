@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 
+#include "core/ErrorOf.h"
 #include "engine/Readback.h"
 #include "engine/Scenes.h"
 #include "limpid/Caustics.h"
@@ -18,15 +19,7 @@ Scene rippledFloor() {
     return scene;
 }
 
-template <typename Call>
-std::string errorOf(const Call& call) {
-    try {
-        call();
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "no error";
-}
+using test::errorOf;
 
 TEST(CausticsGLTest, mapsAreTheEngines) {
     std::vector<float> expected;

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/ErrorOf.h"
 #include "core/Error.h"
 #include "gl/Api.h"
 #include "scene/HostMesh.h"
@@ -86,16 +87,6 @@ class HostBuffers {
     GLuint _buffers[2] = {};
     HostMesh _mesh;
 };
-
-template <typename Call>
-std::string errorOf(const Call& call) {
-    try {
-        call();
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "no error";
-}
 
 inline double meanDifference(const std::vector<float>& a, const std::vector<float>& b) {
     EXPECT_EQ(a.size(), b.size());

@@ -1,3 +1,4 @@
+#include "plan/Framing.h"
 #include "plan/Plan.h"
 
 #include <gtest/gtest.h>
@@ -54,13 +55,13 @@ TEST(Plan, hasAMapForEachLightAndWetReceiver) {
     EXPECT_NEAR(glm::length(plan.maps[0].gradients.mean), 0.4046, 1e-3);
 }
 
-TEST(Plan, placesACameraThatTheSceneLeavesOpen) {
+TEST(Framing, placesACameraThatTheSceneLeavesOpen) {
     Scene scene = pond();
-    const Plan plan = planOf(scene);
-    ASSERT_TRUE(plan.camera.position && plan.camera.target);
-    EXPECT_GT(plan.camera.position->y, scene.water.level);
+    const Camera camera = framedCamera(scene);
+    ASSERT_TRUE(camera.position && camera.target);
+    EXPECT_GT(camera.position->y, scene.water.level);
     scene.camera.position = {1, 2, 3};
-    EXPECT_EQ(*planOf(scene).camera.position, glm::dvec3(1, 2, 3));
+    EXPECT_EQ(*framedCamera(scene).position, glm::dvec3(1, 2, 3));
 }
 
 TEST(Plan, doesNotDependOnHowCausticsAreComputed) {

@@ -1,4 +1,5 @@
 // Ground truth as a host asks for it.
+#include "core/ErrorOf.h"
 #include "reference/Truth.h"
 
 #include <cmath>
@@ -23,15 +24,7 @@ Scene calmFloor() {
     return scene;
 }
 
-template <typename Call>
-std::string errorOf(const Call& call) {
-    try {
-        call();
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "no error";
-}
+using test::errorOf;
 
 TEST(Truth, underCalmWaterIsWhatFresnelLetsThrough) {
     const io::Bake bake = truthOf(calmFloor(), 0, {.photons = 20'000});
