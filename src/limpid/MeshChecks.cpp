@@ -10,13 +10,9 @@ namespace limpid {
 
 namespace {
 
-[[noreturn]] void fail(const std::string& place, const std::string& expected, const std::string& got) {
-    throw InputError(fmt::format("{}: expected {}, got {}", place, expected, got));
-}
-
 void requireLength(const std::string& place, std::size_t length, std::size_t expected, bool mayBeEmpty) {
     if (length != expected && !(mayBeEmpty && length == 0))
-        fail(place, fmt::format("{} of them, one a position{}", expected, mayBeEmpty ? ", or none" : ""),
+        failCheck(place, fmt::format("{} of them, one a position{}", expected, mayBeEmpty ? ", or none" : ""),
              fmt::format("{}", length));
 }
 
@@ -25,12 +21,12 @@ void requireFinite(const std::string& place, const Vectors& vectors) {
     for (std::size_t i = 0; i < vectors.size(); ++i)
         for (int c = 0; c < vectors[i].length(); ++c)
             if (!std::isfinite(vectors[i][c]))
-                fail(fmt::format("{}[{}]", place, i), "finite numbers", fmt::format("{}", vectors[i][c]));
+                failCheck(fmt::format("{}[{}]", place, i), "finite numbers", fmt::format("{}", vectors[i][c]));
 }
 
 void requireIndex(const std::string& place, std::int64_t index, std::int64_t least, std::size_t count) {
     if (index < least || index >= std::int64_t(count))
-        fail(place, fmt::format("an index from {} to {}", least, std::int64_t(count) - 1),
+        failCheck(place, fmt::format("an index from {} to {}", least, std::int64_t(count) - 1),
              fmt::format("{}", index));
 }
 
@@ -39,9 +35,9 @@ void requireParts(const std::string& place, const Mesh& mesh) {
         const MeshPart& part = mesh.parts[i];
         const std::string of = fmt::format("{}.parts[{}]", place, i);
         if (part.indexCount % 3 != 0)
-            fail(of + ".indexCount", "a multiple of 3", fmt::format("{}", part.indexCount));
+            failCheck(of + ".indexCount", "a multiple of 3", fmt::format("{}", part.indexCount));
         if (std::size_t(part.firstIndex) + part.indexCount > mesh.indices.size())
-            fail(of, fmt::format("an end of at most {}", mesh.indices.size()),
+            failCheck(of, fmt::format("an end of at most {}", mesh.indices.size()),
                  fmt::format("{}", std::size_t(part.firstIndex) + part.indexCount));
         requireIndex(of + ".material", part.material, 0, mesh.materials.size());
     }
@@ -59,7 +55,7 @@ void requireImages(const std::string& place, const Mesh& mesh) {
         const std::size_t bytes =
             4 * std::size_t(std::max(image.width, 0)) * std::size_t(std::max(image.height, 0));
         if (image.rgba.size() != bytes)
-            fail(fmt::format("{}.images[{}].rgba", place, i),
+            failCheck(fmt::format("{}.images[{}].rgba", place, i),
                  fmt::format("{} bytes of {} x {} texels", bytes, image.width, image.height),
                  fmt::format("{}", image.rgba.size()));
     }
@@ -76,10 +72,10 @@ void requireMesh(const Mesh& mesh, const std::string& place) {
     requireFinite(place + ".positions", mesh.positions);
     requireFinite(place + ".normals", mesh.normals);
     if (mesh.indices.empty() || mesh.indices.size() % 3 != 0)
-        fail(place + ".indices", "a multiple of 3, at least 3", fmt::format("{}", mesh.indices.size()));
+        failCheck(place + ".indices", "a multiple of 3, at least 3", fmt::format("{}", mesh.indices.size()));
     for (std::size_t i = 0; i < mesh.indices.size(); ++i)
         requireIndex(fmt::format("{}.indices[{}]", place, i), mesh.indices[i], 0, count);
-    if (mesh.parts.empty()) fail(place + ".parts", "at least one", "none");
+    if (mesh.parts.empty()) failCheck(place + ".parts", "at least one", "none");
     requireParts(place, mesh);
     requireImages(place, mesh);
 }

@@ -14,10 +14,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-[[noreturn]] void fail(const std::string& place, const std::string& expected, const std::string& got) {
-    throw InputError(fmt::format("{}: expected {}, got {}", place, expected, got));
-}
-
 /// Of finite numbers; an open end is not in it.
 struct Range {
     double min = -infinity, max = infinity;
@@ -35,7 +31,7 @@ struct Range {
 constexpr Range finite{}, nonNegative{.min = 0}, positive{.min = 0, .openMin = true};
 
 void require(const std::string& place, double value, const Range& range) {
-    if (!range.has(value)) fail(place, range.text(), fmt::format("{}", value));
+    if (!range.has(value)) failCheck(place, range.text(), fmt::format("{}", value));
 }
 
 template <int N, typename T>
@@ -47,14 +43,14 @@ void require(const std::string& place, const glm::vec<N, T>& value, const Range&
 template <int N>
 void requireDirection(const std::string& place, const glm::vec<N, double>& value) {
     require(place, value, finite);
-    if (!(glm::length(value) > 0)) fail(place, "a direction of a length > 0", "0");
+    if (!(glm::length(value) > 0)) failCheck(place, "a direction of a length > 0", "0");
 }
 
 void requireCamera(const Camera& camera) {
     if (camera.position) require("camera.position", *camera.position, finite);
     if (camera.target) require("camera.target", *camera.target, finite);
     if (camera.position && camera.target && *camera.position == *camera.target)
-        fail("camera.target", "a point other than the position", "the same");
+        failCheck("camera.target", "a point other than the position", "the same");
     requireDirection("camera.up", camera.up);
     require("camera.verticalFov", camera.verticalFov,
             {.min = 0, .max = 180, .openMin = true, .openMax = true});
@@ -63,10 +59,10 @@ void requireCamera(const Camera& camera) {
 
 void requireTexture(const std::string& place, const Wave& wave) {
     if (wave.type == WaveType::Phillips) {
-        if (!wave.spectrum) fail(place + ".spectrum", "the one that raiseSea makes", "none");
+        if (!wave.spectrum) failCheck(place + ".spectrum", "the one that raiseSea makes", "none");
         return;
     }
-    if (!wave.heights) fail(place + ".heights", "a source of heights", "none");
+    if (!wave.heights) failCheck(place + ".heights", "a source of heights", "none");
     require(place + ".center", wave.center, finite);
     require(place + ".size", wave.size, positive);
     require(place + ".fps", wave.fps, positive);
@@ -100,7 +96,7 @@ void requireWater(const Water& water) {
     const auto textures = std::count_if(water.waves.begin(), water.waves.end(),
                                         [](const Wave& wave) { return isTexture(wave.type); });
     if (textures > maxHeightMaps)
-        fail("water.waves", fmt::format("at most {} height maps and spectra", maxHeightMaps),
+        failCheck("water.waves", fmt::format("at most {} height maps and spectra", maxHeightMaps),
              fmt::format("{}", textures));
 }
 
@@ -120,14 +116,14 @@ void requireLight(const std::string& place, const Light& light) {
 }
 
 void requireReceiver(const std::string& place, const Receiver& receiver) {
-    if (!receiver.mesh) fail(place + ".mesh", "a mesh", "none");
+    if (!receiver.mesh) failCheck(place + ".mesh", "a mesh", "none");
     requireMesh(*receiver.mesh, place + ".mesh");
     require(place + ".translation", receiver.translation, finite);
     require(place + ".scale", receiver.scale, finite);
     for (int i = 0; i < 3; ++i)
-        if (receiver.scale[i] == 0) fail(place + ".scale", "numbers other than 0", "0");
+        if (receiver.scale[i] == 0) failCheck(place + ".scale", "numbers other than 0", "0");
     if (const double length = glm::length(receiver.rotation); !(std::abs(length - 1) < 1e-3))
-        fail(place + ".rotation", "a quaternion of length 1", fmt::format("{}", length));
+        failCheck(place + ".rotation", "a quaternion of length 1", fmt::format("{}", length));
 }
 
 void requireCaustics(const CausticsSettings& caustics) {
@@ -144,7 +140,7 @@ void requireCaustics(const CausticsSettings& caustics) {
     whole("photonSubdivision", caustics.photonSubdivision, 1, 16);
     whole("splatSize", caustics.splatSize, 1, 256);
     if (caustics.splatSize.x > caustics.splatSize.y)
-        fail("caustics.splatSize", "the smaller size first",
+        failCheck("caustics.splatSize", "the smaller size first",
              fmt::format("{}, {}", caustics.splatSize.x, caustics.splatSize.y));
     whole("filterTaps", caustics.filterTaps, 0, 32);
     whole("filterRadius", caustics.filterRadius, 0, 64);
@@ -166,6 +162,10 @@ void requireGodrays(const GodraySettings& godrays) {
 }
 
 } // namespace
+
+void failCheck(const std::string& place, const std::string& expected, const std::string& got) {
+    throw InputError(fmt::format("{}: expected {}, got {}", place, expected, got));
+}
 
 void requireScene(const Scene& scene) {
     requireCamera(scene.camera);

@@ -10,5 +10,7 @@ namespace limpid {
 void requireScene(const Scene& scene);
 /// Likewise for one mesh; `place` stands before the errors.
 void requireMesh(const Mesh& mesh, const std::string& place);
+/// Throws an InputError of this form.
+[[noreturn]] void failCheck(const std::string& place, const std::string& expected, const std::string& got);
 
 } // namespace limpid
