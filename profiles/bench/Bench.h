@@ -73,7 +73,7 @@ class Bench {
 
 /// The engine's own passes.
 void addPasses(Bench& bench);
-/// What a host pays for a change of its scene.
+/// Cost of one change of a scene.
 void addChanges(gl::Context& context);
 /// What others do, and what no method can go below (see Yardsticks.cpp).
 void addYardsticks(Bench& bench);

@@ -26,7 +26,7 @@ struct LampWater {
     Beams beams;
 };
 
-/// What one light does: its beams, and what they meet first if the water were flat.
+/// One light: its beams, and first hits of its mean light.
 struct LightWork {
     Beams beams;
     std::unique_ptr<LampWater> lampWater; ///< empty where the water's own quads are fine enough
@@ -36,13 +36,13 @@ struct LightWork {
     BeamTiles tiles;             ///< where beams are culled many at a time
     std::vector<DiscPoint> disc; ///< besides its middle, whose beams are `beams`; empty for a point far away
 
-    /// What maps are filled with; pictures and godrays take `beams`.
+    /// The beams that fill maps; pictures and godrays take `beams`.
     const Beams& mapBeams() const { return lampWater ? lampWater->beams : beams; }
     /// The surface that those begin at; `water`: the scene's.
     const WaterMesh& mapMesh(const WaterMesh& water) const {
         return lampWater ? lampWater->surface.mesh() : water;
     }
-    /// Whether nothing comes of it.
+    /// True for a light that gives none.
     bool isDark() const { return beams.strength == glm::dvec3(0); }
 
     struct FrameFrom {

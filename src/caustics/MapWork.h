@@ -31,12 +31,12 @@ struct MapWork {
     bool culled = false;   ///< whether the last update has culled beams of which none could reach it
     gl::Buffer askedBeams; ///< a uint: how many it has not culled
 
-    /// Whether all but the light is there.
+    /// All but the light is there.
     bool isDrawn() const { return prepared.stamp() != 0; }
-    /// Whether its light is there.
+    /// Its light is there.
     bool isFilled() const { return filled.stamp() != 0; }
 
-    /// What settles the mean light's shade on a level map.
+    /// Inputs of the mean light's shade on a level map.
     struct ShadeFrom {
         glm::vec4 rect{0}; ///< LightFrameData::sceneDepthRect
         glm::ivec2 size{0};

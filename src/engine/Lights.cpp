@@ -108,16 +108,19 @@ void Lights::refract(const Frame& frame, int light) {
     shadeSurface(frame, light, work);
     const glm::dvec3 strength = strengthOf(frame.light(light), frame.scene.water);
     const bool dark = frame.skipping && strength == glm::dvec3(0);
-    work.traced.bring(frame.making,
-                      {frame.water.moment(frame.time), asBeamsRead(frame.planOf(light).frame),
-                       work.shadowed.stamp(), dark, lampPatchOf(frame, light), discFrames(frame, light),
-                       frame.skipping && sumsBeams(frame.scene.caustics)},
-                      [&] {
-                          if (dark)
-                              ++frame.skipped.lights;
-                          else
-                              trace(frame, light, work);
-                      });
+    const LightWork::TracedFrom from{frame.water.moment(frame.time),
+                                     asBeamsRead(frame.planOf(light).frame),
+                                     work.shadowed.stamp(),
+                                     dark,
+                                     lampPatchOf(frame, light),
+                                     discFrames(frame, light),
+                                     frame.skipping && sumsBeams(frame.scene.caustics)};
+    work.traced.bring(frame.making, from, [&] {
+        if (dark)
+            ++frame.skipped.lights;
+        else
+            trace(frame, light, work, from);
+    });
     setStrength(work, strength);
 }
 
@@ -141,19 +144,16 @@ void Lights::shadeSurface(const Frame& frame, int light, LightWork& work) {
     work.beams.surfaceShadow = shaded ? &work.surfaceShadow : nullptr;
 }
 
-void Lights::trace(const Frame& frame, int light, LightWork& work) {
+void Lights::trace(const Frame& frame, int light, LightWork& work, const LightWork::TracedFrom& from) {
     const WaterMesh& surface = frame.water.at(frame.time);
-    const std::optional<WaterPatch> lampPatch = lampPatchOf(frame, light);
-    const std::vector<LightFrameData> disc = discFrames(frame, light);
-    const bool tiled = frame.skipping && sumsBeams(frame.scene.caustics);
     Scope scope(frame.timers, "beams");
     _tracer.trace(work.beams, surface, work.beams.surfaceShadow);
-    if (!lampPatch)
+    if (!from.lampPatch)
         work.lampWater.reset();
     else
-        traceLampWater(frame, light, work, *lampPatch);
-    traceDisc(frame, light, work, disc);
-    if (!tiled) {
+        traceLampWater(frame, light, work, *from.lampPatch);
+    traceDisc(frame, light, work, from.disc);
+    if (!from.tiled) {
         work.tiles = {};
         return;
     }

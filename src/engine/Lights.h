@@ -35,7 +35,7 @@ class Lights {
   private:
     void frameBeams(const Frame& frame, int light, LightWork& work);
     void shadeSurface(const Frame& frame, int light, LightWork& work);
-    void trace(const Frame& frame, int light, LightWork& work);
+    void trace(const Frame& frame, int light, LightWork& work, const LightWork::TracedFrom& from);
     void traceLampWater(const Frame& frame, int light, LightWork& work, const WaterPatch& patch);
     void traceDisc(const Frame& frame, int light, LightWork& work, std::span<const LightFrameData> frames);
     void drawFirstHits(const Frame& frame, int light, SceneDepth& depth);

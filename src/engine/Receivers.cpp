@@ -29,6 +29,8 @@ void Receivers::set(std::span<const Receiver> receivers, const glm::dvec3& origi
     }
     _geometries = std::move(geometries);
     _stamps = std::move(stamps);
+    _translucent = std::any_of(_geometries.begin(), _geometries.end(),
+                               [](const ReceiverGeometry& geometry) { return geometry.translucent(); });
     _receivers.assign(receivers.begin(), receivers.end());
     _origin = origin;
 }
@@ -38,11 +40,6 @@ std::vector<Stamp> Receivers::stampsOf(std::span<const int> numbers) const {
     for (const int number : numbers)
         stamps.push_back(stamp(number));
     return stamps;
-}
-
-bool Receivers::translucent() const {
-    return std::any_of(_geometries.begin(), _geometries.end(),
-                       [](const ReceiverGeometry& geometry) { return geometry.translucent(); });
 }
 
 const Occluders& Receivers::occluders(gl::PassTimers& timers) {

@@ -25,7 +25,7 @@ class Receivers {
     const std::vector<Stamp>& stamps() const { return _stamps; }
     std::vector<Stamp> stampsOf(std::span<const int> numbers) const;
     /// Whether any lets some light through.
-    bool translucent() const;
+    bool translucent() const { return _translucent; }
 
     /// All of them as things in light's way; made when they are asked for.
     const Occluders& occluders(gl::PassTimers& timers);
@@ -38,6 +38,7 @@ class Receivers {
     glm::dvec3 _origin{0};
     std::vector<ReceiverGeometry> _geometries;
     std::vector<Stamp> _stamps;
+    bool _translucent = false; ///< asked for each map, which may be as many as these
     std::unique_ptr<Occluders> _occluders;
     Kept<std::vector<Stamp>> _occludersOf;
 };

@@ -13,7 +13,7 @@ namespace {
 void requireLength(const std::string& place, std::size_t length, std::size_t expected, bool mayBeEmpty) {
     if (length != expected && !(mayBeEmpty && length == 0))
         failCheck(place, fmt::format("{} of them, one a position{}", expected, mayBeEmpty ? ", or none" : ""),
-             fmt::format("{}", length));
+                  fmt::format("{}", length));
 }
 
 template <typename Vectors>
@@ -21,13 +21,14 @@ void requireFinite(const std::string& place, const Vectors& vectors) {
     for (std::size_t i = 0; i < vectors.size(); ++i)
         for (int c = 0; c < vectors[i].length(); ++c)
             if (!std::isfinite(vectors[i][c]))
-                failCheck(fmt::format("{}[{}]", place, i), "finite numbers", fmt::format("{}", vectors[i][c]));
+                failCheck(fmt::format("{}[{}]", place, i), "finite numbers",
+                          fmt::format("{}", vectors[i][c]));
 }
 
 void requireIndex(const std::string& place, std::int64_t index, std::int64_t least, std::size_t count) {
     if (index < least || index >= std::int64_t(count))
         failCheck(place, fmt::format("an index from {} to {}", least, std::int64_t(count) - 1),
-             fmt::format("{}", index));
+                  fmt::format("{}", index));
 }
 
 void requireParts(const std::string& place, const Mesh& mesh) {
@@ -38,7 +39,7 @@ void requireParts(const std::string& place, const Mesh& mesh) {
             failCheck(of + ".indexCount", "a multiple of 3", fmt::format("{}", part.indexCount));
         if (std::size_t(part.firstIndex) + part.indexCount > mesh.indices.size())
             failCheck(of, fmt::format("an end of at most {}", mesh.indices.size()),
-                 fmt::format("{}", std::size_t(part.firstIndex) + part.indexCount));
+                      fmt::format("{}", std::size_t(part.firstIndex) + part.indexCount));
         requireIndex(of + ".material", part.material, 0, mesh.materials.size());
     }
 }
@@ -56,8 +57,8 @@ void requireImages(const std::string& place, const Mesh& mesh) {
             4 * std::size_t(std::max(image.width, 0)) * std::size_t(std::max(image.height, 0));
         if (image.rgba.size() != bytes)
             failCheck(fmt::format("{}.images[{}].rgba", place, i),
-                 fmt::format("{} bytes of {} x {} texels", bytes, image.width, image.height),
-                 fmt::format("{}", image.rgba.size()));
+                      fmt::format("{} bytes of {} x {} texels", bytes, image.width, image.height),
+                      fmt::format("{}", image.rgba.size()));
     }
 }
 
@@ -73,8 +74,11 @@ void requireMesh(const Mesh& mesh, const std::string& place) {
     requireFinite(place + ".normals", mesh.normals);
     if (mesh.indices.empty() || mesh.indices.size() % 3 != 0)
         failCheck(place + ".indices", "a multiple of 3, at least 3", fmt::format("{}", mesh.indices.size()));
-    for (std::size_t i = 0; i < mesh.indices.size(); ++i)
-        requireIndex(fmt::format("{}.indices[{}]", place, i), mesh.indices[i], 0, count);
+    // A mesh may have millions: words are made for a wrong one only.
+    const auto wrong = std::find_if(mesh.indices.begin(), mesh.indices.end(),
+                                    [&](std::uint32_t index) { return index >= count; });
+    if (wrong != mesh.indices.end())
+        requireIndex(fmt::format("{}.indices[{}]", place, wrong - mesh.indices.begin()), *wrong, 0, count);
     if (mesh.parts.empty()) failCheck(place + ".parts", "at least one", "none");
     requireParts(place, mesh);
     requireImages(place, mesh);

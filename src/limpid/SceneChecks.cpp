@@ -97,7 +97,7 @@ void requireWater(const Water& water) {
                                         [](const Wave& wave) { return isTexture(wave.type); });
     if (textures > maxHeightMaps)
         failCheck("water.waves", fmt::format("at most {} height maps and spectra", maxHeightMaps),
-             fmt::format("{}", textures));
+                  fmt::format("{}", textures));
 }
 
 void requireLight(const std::string& place, const Light& light) {
@@ -127,38 +127,32 @@ void requireReceiver(const std::string& place, const Receiver& receiver) {
 }
 
 void requireCaustics(const CausticsSettings& caustics) {
-    const auto whole = [](const char* name, auto value, double min, double max) {
-        require(std::string("caustics.") + name, value, {.min = min, .max = max});
-    };
-    whole("mapSize", caustics.mapSize, 1, 16384);
-    whole("planes", caustics.planes, 1, 4096);
-    whole("depthLevels", caustics.depthLevels, 1, 4096);
+    require("caustics.mapSize", caustics.mapSize, {.min = 1, .max = 16384});
+    require("caustics.planes", caustics.planes, {.min = 1, .max = 4096});
+    require("caustics.depthLevels", caustics.depthLevels, {.min = 1, .max = 4096});
     require("caustics.threshold", caustics.threshold, {.min = 0, .max = 1, .openMin = true});
-    whole("texelsPerPixel", caustics.texelsPerPixel, 0, 64);
-    whole("refresh", caustics.refresh, 0, 1000);
-    whole("photonGrid", caustics.photonGrid, 1, 8192);
-    whole("photonSubdivision", caustics.photonSubdivision, 1, 16);
-    whole("splatSize", caustics.splatSize, 1, 256);
+    require("caustics.texelsPerPixel", caustics.texelsPerPixel, {.min = 0, .max = 64});
+    require("caustics.refresh", caustics.refresh, {.min = 0, .max = 1000});
+    require("caustics.photonGrid", caustics.photonGrid, {.min = 1, .max = 8192});
+    require("caustics.photonSubdivision", caustics.photonSubdivision, {.min = 1, .max = 16});
+    require("caustics.splatSize", caustics.splatSize, {.min = 1, .max = 256});
     if (caustics.splatSize.x > caustics.splatSize.y)
         failCheck("caustics.splatSize", "the smaller size first",
-             fmt::format("{}, {}", caustics.splatSize.x, caustics.splatSize.y));
-    whole("filterTaps", caustics.filterTaps, 0, 32);
-    whole("filterRadius", caustics.filterRadius, 0, 64);
+                  fmt::format("{}, {}", caustics.splatSize.x, caustics.splatSize.y));
+    require("caustics.filterTaps", caustics.filterTaps, {.min = 0, .max = 32});
+    require("caustics.filterRadius", caustics.filterRadius, {.min = 0, .max = 64});
 }
 
 void requireGodrays(const GodraySettings& godrays) {
-    const auto within = [](const char* name, auto value, double min, double max) {
-        require(std::string("godrays.") + name, value, {.min = min, .max = max});
-    };
-    within("grid", godrays.grid, 1, 4096);
-    within("subdivision", godrays.subdivision, 1, 16);
+    require("godrays.grid", godrays.grid, {.min = 1, .max = 4096});
+    require("godrays.subdivision", godrays.subdivision, {.min = 1, .max = 16});
     require("godrays.scale", godrays.scale, {.min = 0, .max = 1, .openMin = true});
-    within("lineWidth", godrays.lineWidth, 0.5, 256);
-    within("filterTaps", godrays.filterTaps, 0, 32);
-    within("filterRadius", godrays.filterRadius, 0, 64);
-    within("planes", godrays.planes, 1, 1024);
-    within("steps", godrays.steps, 1, 4096);
-    within("subVolumes", godrays.subVolumes, 0, 256);
+    require("godrays.lineWidth", godrays.lineWidth, {.min = 0.5, .max = 256});
+    require("godrays.filterTaps", godrays.filterTaps, {.min = 0, .max = 32});
+    require("godrays.filterRadius", godrays.filterRadius, {.min = 0, .max = 64});
+    require("godrays.planes", godrays.planes, {.min = 1, .max = 1024});
+    require("godrays.steps", godrays.steps, {.min = 1, .max = 4096});
+    require("godrays.subVolumes", godrays.subVolumes, {.min = 0, .max = 256});
 }
 
 } // namespace
