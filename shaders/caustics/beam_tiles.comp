@@ -1,6 +1,6 @@
 // Bounds of a light's rays by tiles of the water's grid; one invocation a tile.
 // In: beam origins, directions. Out: bounds (beam_tiles.glsl); marks of reached tiles, all cleared.
-#include "include/beam_tiles.glsl"
+#include "caustics/beam_tiles.glsl"
 layout(local_size_x = 64) in;
 layout(std430, binding = 0) writeonly buffer Tiles { RayBounds bounds[]; };
 layout(std430, binding = 1) writeonly buffer Reached { uint reached[]; };

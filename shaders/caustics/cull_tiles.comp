@@ -3,10 +3,10 @@
 // In: bounds of the tiles; depths of the map's planes (levelmap/PlaneDepths.h), or with LEANING depths as exact beams
 // count them (caustics/TangentPlanes.h). Out: list of the tiles, as work groups of an indirect
 // dispatch; beams in them; marks of the tiles that are reached.
-#include "include/beam_limits.glsl"
-#include "include/beam_tiles.glsl"
-#include "include/box.glsl"
-#include "include/kept_tiles.glsl"
+#include "caustics/beam_limits.glsl"
+#include "caustics/beam_tiles.glsl"
+#include "levelmap/box.glsl"
+#include "interface/kept_tiles.glsl"
 layout(local_size_x = 64) in;
 layout(binding = 0) uniform sampler2D depthPyramid; // RGBA32F, m: x, y of its last level: least and greatest depth of all
 layout(std430, binding = 0) readonly buffer Tiles { RayBounds bounds[]; };

@@ -1,8 +1,8 @@
 // Spreads each texel's light over the image of a part of the sun's disc.
 // In: irradiance RGBA32F, W/m² on the receiver's surface; position map RG32F; normal map RG16. Out: RGBA32F, likewise.
-#include "include/box.glsl"
-#include "include/light.glsl"
-#include "include/octahedral.glsl"
+#include "levelmap/box.glsl"
+#include "water/light.glsl"
+#include "optics/octahedral.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = 0) uniform sampler2D irradianceMap;
 layout(binding = 1) uniform sampler2D positionMap;

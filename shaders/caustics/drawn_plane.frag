@@ -1,7 +1,7 @@
 // Adds one beam's irradiance to the texels of a level map that belong to the plane.
 // Out, RGBA32F, added: W/m² on the receiver's own surface.
-#include "include/beam_irradiance.glsl"
-#include "include/octahedral.glsl"
+#include "caustics/beam_irradiance.glsl"
+#include "optics/octahedral.glsl"
 layout(binding = 0) uniform sampler2D positionMap; // RG32F
 layout(binding = 1) uniform sampler2D diffuseMap;  // alpha: share of the mean light
 layout(binding = 2) uniform sampler2D normalMap;   // RG16

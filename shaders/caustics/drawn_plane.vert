@@ -1,5 +1,5 @@
 // The intersection of the beams' edges with one reference plane (thesis 4.4), in texels of the receiver's maps.
-#include "include/box.glsl"
+#include "levelmap/box.glsl"
 layout(location = 0) in vec4 footprint;    // texels; texels per metre (footprints.comp)
 layout(location = 1) in float originDepth; // m
 layout(location = 0) uniform float planeDepth; // m

@@ -4,19 +4,19 @@
 // One invocation for the two beams of a quad, a work group for a tile of quads. In: footprints (footprints.comp), flux, depth
 // pyramid. Out: flux sums, one channel or three (COLOURED), and the lists. EXTINCTION: water takes light. SHADED: something
 // may shade something.
-#include "include/beam_quads.glsl"
-#include "include/beam_sheet.glsl"
-#include "include/beam_deposit.glsl"
-#include "include/beam_lists.glsl"
-#include "include/optics.glsl"
-#include "include/tile_quads.glsl"
+#include "caustics/beam_quads.glsl"
+#include "caustics/beam_sheet.glsl"
+#include "caustics/beam_deposit.glsl"
+#include "interface/beam_lists.glsl"
+#include "optics/optics.glsl"
+#include "caustics/tile_quads.glsl"
 layout(local_size_x = 64) in;
 layout(location = 1) uniform float stepsPerFlux;      // of the sums
 #ifdef EXTINCTION
 layout(location = 2) uniform vec3 extinctionPerMetre;
 #endif
 #ifdef SHADED
-#include "include/occluders.glsl"
+#include "occlusion/occluders.glsl"
 layout(location = 3) uniform int testOcclusion;       // 0: nothing can be before the receiver
 layout(location = 4) uniform int testSurfaceShadow;   // 0: nothing stands out of the water
 layout(location = 5) uniform int receiverNumber;

@@ -3,10 +3,10 @@
 // by as many invocations, and none waits for its neighbours' longer walks.
 // One invocation a quad. In: footprints, flux, tangent planes, depth pyramid, the list. Out: touches; quads whose touches
 // found no room, in the list `wide`.
-#include "include/beam_cut.glsl"
-#include "include/beam_walk.glsl"
-#include "include/beam_lists.glsl"
-#include "include/beam_touches.glsl"
+#include "caustics/beam_cut.glsl"
+#include "caustics/beam_walk.glsl"
+#include "interface/beam_lists.glsl"
+#include "interface/beam_touches.glsl"
 layout(local_size_x = 64) in;
 
 bool leaveSlab(int index, int number, Slab slab) { return false; }

@@ -1,8 +1,8 @@
 // Exact beams, the touches of quads that may be shaded: one invocation for a quad's beams on one texel.
 // In: touches (exact_beams_gather.comp), footprints, flux, tangent planes. Out: flux sums, one channel or three (COLOURED);
 // see beam_touch.glsl for EXTINCTION and SHADED.
-#include "include/beam_touch.glsl"
-#include "include/beam_touches.glsl"
+#include "caustics/beam_touch.glsl"
+#include "interface/beam_touches.glsl"
 layout(local_size_x = 64) in;
 
 void main() {

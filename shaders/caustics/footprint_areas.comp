@@ -1,6 +1,6 @@
 // Cross-section of each beam perpendicular to the box's axis (footprint.glsl), and its flux.
 // In: indices, footprints, flux. Out: (c0, c1, c2, flux).
-#include "include/footprint.glsl"
+#include "caustics/footprint.glsl"
 layout(local_size_x = 64) in;
 layout(std430, binding = 0) readonly buffer Indices { uint indices[]; };
 layout(std430, binding = 5) readonly buffer BeamFlux { float flux[]; };

@@ -1,9 +1,9 @@
 // The beams of a light seen from a receiver's box (footprint.glsl): found once here, read by every plane.
 // TILES: of the corners of some tiles of quads only.
 // In: beam origins, directions. Out: (at, slope) in texels and texels per metre; depth of the origin, m.
-#include "include/footprint.glsl"
+#include "caustics/footprint.glsl"
 #ifdef TILES
-#include "include/tile_quads.glsl"
+#include "caustics/tile_quads.glsl"
 #endif
 layout(local_size_x = 64) in;
 layout(std430, binding = 3) readonly buffer BeamOrigins { vec4 origins[]; };

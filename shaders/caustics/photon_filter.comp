@@ -3,8 +3,8 @@
 // Texels to which no photon came but some were taken on their way lie in the shade: they stay dark and give nothing.
 // In: sums of the splats and marks of shade behind them, level map. Out: filtered sums; behind those of the texels, for each channel, what the splats
 // and what the filtered ones come to, so that resolving can give back what the mean took or added.
-#include "include/photon_place.glsl"
-#include "include/flux_sums.glsl"
+#include "caustics/photon_place.glsl"
+#include "interface/flux_sums.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(std430, binding = 9) readonly buffer SplatSums { uint splats[]; };
 layout(location = 0) uniform int channels;

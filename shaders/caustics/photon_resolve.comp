@@ -1,8 +1,8 @@
 // From the summed flux of photons to irradiance; leaves the sums at zero for the next map.
 // In: flux sums, one or three channels; normal map RG16. Out, RGBA32F: W/m² on the receiver's own surface.
-#include "include/box.glsl"
-#include "include/flux_sums.glsl"
-#include "include/octahedral.glsl"
+#include "levelmap/box.glsl"
+#include "interface/flux_sums.glsl"
+#include "optics/octahedral.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = 0) uniform sampler2D normalMap;
 layout(rgba32f, binding = 0) uniform writeonly image2D irradiance;

@@ -5,10 +5,10 @@
 // (occluders.glsl), it is left to a second pass, which asks for each texel; as is a splat of very many texels.
 // In: beams, tangent planes, occluders. Out: flux sums, list of the photons left. SHADED: the second pass, over that list.
 // VEILS: some occluders let part of the light through.
-#include "include/photon_ray.glsl"
-#include "include/splat_shade.glsl"
-#include "include/surface_shadow.glsl"
-#include "include/flux_sums.glsl"
+#include "water/photon_ray.glsl"
+#include "caustics/splat_shade.glsl"
+#include "water/surface_shadow.glsl"
+#include "interface/flux_sums.glsl"
 #ifdef SHADED
 layout(local_size_x = 32) in;
 #else

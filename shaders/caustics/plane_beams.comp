@@ -4,19 +4,19 @@
 // texels (levelmap/PlaneDepths.h), normal map; with PATHS, for what happens to light on its way, position map and
 // surface shadow. Out: flux sums, one channel or three (COLOURED), of irradiance times the area of a texel, as if the
 // whole mean light reached it. LARGE: the tiles of quads that touch many texels, which the pass over all quads left.
-#include "include/beam_limits.glsl"
-#include "include/depth_pyramid.glsl"
-#include "include/footprint.glsl"
-#include "include/beam_deposit.glsl"
-#include "include/large_beams.glsl"
-#include "include/octahedral.glsl"
-#include "include/optics.glsl"
-#include "include/texel_coverage.glsl"
+#include "caustics/beam_limits.glsl"
+#include "levelmap/depth_pyramid.glsl"
+#include "caustics/footprint.glsl"
+#include "caustics/beam_deposit.glsl"
+#include "interface/large_beams.glsl"
+#include "optics/octahedral.glsl"
+#include "optics/optics.glsl"
+#include "caustics/texel_coverage.glsl"
 #ifndef LARGE
-#include "include/tile_quads.glsl"
+#include "caustics/tile_quads.glsl"
 #endif
 #ifdef PATHS
-#include "include/surface_shadow.glsl"
+#include "water/surface_shadow.glsl"
 layout(binding = 2) uniform sampler2D positionMap; // RG32F
 #endif
 layout(local_size_x = 64) in;

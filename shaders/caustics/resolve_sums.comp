@@ -1,10 +1,10 @@
 // From summed flux to irradiance; leaves the sums at zero for the next map.
 // In: flux sums, one or three channels; normal map RG16; tangent planes, which say where no receiver is: beams at its
 // edge leave light there. Out, RGBA32F: W/m² on the receiver's own surface.
-#include "include/box.glsl"
-#include "include/flux_sums.glsl"
-#include "include/octahedral.glsl"
-#include "include/rim.glsl"
+#include "levelmap/box.glsl"
+#include "interface/flux_sums.glsl"
+#include "optics/octahedral.glsl"
+#include "caustics/rim.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = 0) uniform sampler2D normalMap;
 layout(binding = 1) uniform sampler2D tangentPlanes; // RGBA32F

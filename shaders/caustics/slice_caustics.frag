@@ -1,8 +1,8 @@
 // Adds one beam's irradiance to the surface that lies in a plane's slab, as if nothing shaded it but wholly.
 // Out, RGBA32F, added: W/m² on the receiver's own surface.
-#include "include/beam_irradiance.glsl"
-#include "include/octahedral.glsl"
-#include "include/slice.glsl"
+#include "caustics/beam_irradiance.glsl"
+#include "optics/octahedral.glsl"
+#include "caustics/slice.glsl"
 layout(location = 1) uniform int planeNumber;
 layout(location = 0) out vec4 irradiance;
 

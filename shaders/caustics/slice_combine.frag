@@ -1,6 +1,6 @@
 // The slices as one: each texel is that of the topmost slice that has surface there, which is what the light sees first.
 // Out 0, RGBA32F: irradiance, W/m². Out 1 to 3: position, diffuse and normal map as in level_map.frag.
-#include "include/slice.glsl"
+#include "caustics/slice.glsl"
 layout(binding = 4) uniform sampler2DArray sliceCaustics;
 layout(location = 0) uniform int sliceCount;
 layout(location = 0) out vec4 outIrradiance;

@@ -1,6 +1,6 @@
 // What a slice's caustics are multiplied with (thesis 5.2.1): the share of the light that its surface takes. Its colour
 // comes in where the picture is made, as with every method, so that maps hold irradiance.
-#include "include/slice.glsl"
+#include "caustics/slice.glsl"
 layout(location = 1) uniform int planeNumber;
 layout(location = 0) out vec4 factor;
 

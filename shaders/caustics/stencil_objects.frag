@@ -1,6 +1,6 @@
 // The depths of what the light sees of a receiver, as the volumes' own (Iwasaki et al. 2002, 4.3.1, step 1). A texel
 // keeps clear of the sample planes: its index says which sub-volume it is in.
-#include "include/sub_volumes.glsl"
+#include "caustics/sub_volumes.glsl"
 layout(binding = 1) uniform sampler2D positionMap; // RG32F
 
 void main() {

@@ -2,7 +2,7 @@
 // object's bounding box; here those that meet the depths of what lies within their own.
 // In: indices, footprints, areas, plane pyramid. Out, a beam: number of its first sub-volume, and how many; of the
 // draw, the instances: the most that a beam has.
-#include "include/sub_volumes.glsl"
+#include "caustics/sub_volumes.glsl"
 layout(local_size_x = 64) in;
 layout(std430, binding = 0) readonly buffer Indices { uint indices[]; };
 layout(std430, binding = 6) readonly buffer Footprints { vec4 footprints[]; };

@@ -2,8 +2,8 @@
 // let them; back faces mark the stencil only. In place of the paper's shading from sample plane to sample plane, the
 // flux ratio is that at the texel's own depth, which a map has.
 // Out, RGBA32F, added: W/m² across the light.
-#include "include/footprint.glsl"
-#include "include/surface_shadow.glsl"
+#include "caustics/footprint.glsl"
+#include "water/surface_shadow.glsl"
 layout(binding = 1) uniform sampler2D positionMap; // RG32F
 layout(std430, binding = 8) readonly buffer BeamAreas { vec4 areas[]; };
 layout(location = 0) uniform vec3 strength; // of the light, W per unit of flux

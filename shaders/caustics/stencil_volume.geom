@@ -1,7 +1,7 @@
 // The faces of one sub-volume as seen along the light, back faces before front faces (Iwasaki et al. 2002, 4.3.1, steps
 // 2 and 3). A ray of that view must enter and leave what is tested once, so a sub-volume is drawn as the three
 // tetrahedra of the paper's shafts (3.2), and is cut where its beam turns inside out, which would lose a focus.
-#include "include/sub_volumes.glsl"
+#include "caustics/sub_volumes.glsl"
 layout(points) in;
 layout(triangle_strip, max_vertices = 108) out; // 3 parts, 3 tetrahedra, 4 faces
 layout(std430, binding = 0) readonly buffer Indices { uint indices[]; };

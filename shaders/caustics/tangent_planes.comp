@@ -5,13 +5,13 @@
 // Out 1, RGBA32F, the finest level of the depth pyramid: least and greatest depth of the plane within the texel, less
 //        what the receiver leans (boxShear), m (1e30, -1e30: no receiver); -1 at a rim, else 0; 0.
 // RIMS: something may hide part of a texel; else all texels show one surface each.
-#include "include/box.glsl"
-#include "include/octahedral.glsl"
-#include "include/rim.glsl"
+#include "levelmap/box.glsl"
+#include "optics/octahedral.glsl"
+#include "caustics/rim.glsl"
 #ifdef RIMS
-#include "include/light.glsl"
-#include "include/occluders.glsl"
-#include "include/same_surface.glsl"
+#include "water/light.glsl"
+#include "occlusion/occluders.glsl"
+#include "levelmap/same_surface.glsl"
 layout(location = 0) uniform int receiverNumber;
 #endif
 layout(local_size_x = 8, local_size_y = 8) in;

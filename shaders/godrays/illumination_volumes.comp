@@ -2,9 +2,9 @@
 // meet, and the light between every three. A thread has one corner, and the two triangles of the cell that begins there.
 // In: beams, the scene depth map of the light. Out, two a corner: from (m from the scene's origin; w: metres), direction
 // (unit). Out, one a triangle: flux, in the unit of beams.
-#include "include/photon_ray.glsl"
-#include "include/ray_hit.glsl"
-#include "include/surface_shadow.glsl"
+#include "water/photon_ray.glsl"
+#include "godrays/ray_hit.glsl"
+#include "water/surface_shadow.glsl"
 layout(local_size_x = 64) in;
 layout(std430, binding = 6) writeonly buffer Rays { vec4 rays[]; };
 layout(std430, binding = 7) writeonly buffer VolumeFlux { float volumeFlux[]; };

@@ -2,9 +2,9 @@
 // the line the share that is scattered, by phase function and extinction both ways, over the solid angle of the pixels
 // that this metre is drawn into.
 // Out, RGBA32F, added: W/(m² sr).
-#include "include/godray_phase.glsl"
-#include "include/line_width.glsl"
-#include "include/optics.glsl"
+#include "godrays/godray_phase.glsl"
+#include "godrays/line_width.glsl"
+#include "optics/optics.glsl"
 flat in vec4 clipFrom, clipTo, lineFrom, lineTo;
 flat in vec2 range;
 layout(location = 0) out vec4 radiance;

@@ -2,9 +2,9 @@
 // cell of the photon grid and cuts it up.
 // In: beams, the scene depth map of the light. Out, two a line: from (m from the scene's origin; w: flux, in the unit of
 // beams), to (w: metres).
-#include "include/photon_ray.glsl"
-#include "include/ray_hit.glsl"
-#include "include/surface_shadow.glsl"
+#include "water/photon_ray.glsl"
+#include "godrays/ray_hit.glsl"
+#include "water/surface_shadow.glsl"
 layout(local_size_x = 64) in;
 layout(std430, binding = 6) writeonly buffer Lines { vec4 lines[]; };
 layout(location = 5) uniform float reach;    // m, for light that meets nothing

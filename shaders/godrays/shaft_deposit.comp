@@ -2,12 +2,12 @@
 // its middle, what it would send to the camera of each metre of a view ray there.
 // In: beams, the scene depth map of the light. Out: sums of 1/sr (directional) or 1/m² (point) before strength, the water's
 // scattering and extinction.
-#include "include/flux_sums.glsl"
-#include "include/godray_phase.glsl"
-#include "include/photon_ray.glsl"
-#include "include/scene_depth.glsl"
-#include "include/shaft_gaps.glsl"
-#include "include/surface_shadow.glsl"
+#include "interface/flux_sums.glsl"
+#include "godrays/godray_phase.glsl"
+#include "water/photon_ray.glsl"
+#include "levelmap/scene_depth.glsl"
+#include "interface/shaft_gaps.glsl"
+#include "water/surface_shadow.glsl"
 layout(local_size_x = 64) in;
 layout(location = 5) uniform ivec2 cellsAcross; // of a layer
 layout(location = 6) uniform int gapCount;

@@ -1,6 +1,6 @@
 // From integer sums to a texture that is filtered, and zero again for the next time.
 // Out: R32F, a layer for each gap, in the unit of shaft_deposit.comp.
-#include "include/flux_sums.glsl"
+#include "interface/flux_sums.glsl"
 layout(local_size_x = 64) in;
 layout(binding = 0, r32f) uniform writeonly image2DArray lit;
 layout(location = 0) uniform ivec2 cellsAcross;

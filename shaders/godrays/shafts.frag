@@ -2,9 +2,9 @@
 // what would be left of an even light.
 // In: layers of lit water (shaft_deposit.comp), depth of the view, the scene depth map of the light.
 // Out, RGBA32F, added: W/(m² sr).
-#include "include/godray_phase.glsl"
-#include "include/scene_depth.glsl"
-#include "include/shaft_gaps.glsl"
+#include "godrays/godray_phase.glsl"
+#include "levelmap/scene_depth.glsl"
+#include "interface/shaft_gaps.glsl"
 layout(binding = 0) uniform sampler2DArray lit;
 layout(binding = 2) uniform sampler2D viewDepth; // 1 at the near plane, 0 far away
 layout(location = 0) uniform int evenGaps;       // that are `gapHeight` thick

@@ -2,9 +2,9 @@
 // leaves, over the way between (Iwasaki, Dobashi and Nishita 2002, eq. 5), with eq. 4 and 6 at both in every pixel. What
 // ends the view ends it here too.
 // In: depth of the view; the scene depth map of the light. Out, RGBA32F, added: W/(m² sr).
-#include "include/godray_phase.glsl"
-#include "include/scene_depth.glsl"
-#include "include/tetrahedron.glsl"
+#include "godrays/godray_phase.glsl"
+#include "levelmap/scene_depth.glsl"
+#include "optics/tetrahedron.glsl"
 layout(binding = 2) uniform sampler2D viewDepth; // 1 at the near plane, 0 far away
 layout(location = 8) uniform float near;         // m
 noperspective in vec3 entering, leaving;

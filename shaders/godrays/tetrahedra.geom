@@ -1,7 +1,7 @@
 // The three tetrahedra of a sub-volume (Iwasaki, Dobashi and Nishita 2002, 3.2), each as the triangles that its outline and
 // the point where it is thickest make on the screen. Of one next to the camera, a rectangle around it.
-#include "include/godray_frame.glsl"
-#include "include/tetrahedron.glsl"
+#include "godrays/godray_frame.glsl"
+#include "optics/tetrahedron.glsl"
 layout(points) in;
 layout(triangle_strip, max_vertices = 24) out;
 in Piece {

@@ -3,8 +3,8 @@
 // first of their rays ends.
 // In: rays and flux (illumination_volumes.comp), where pieces start (volume_starts.comp). Out, a point each: its six
 // corners and the light there.
-#include "include/illumination_volume.glsl"
-#include "include/volume_starts.glsl"
+#include "godrays/illumination_volume.glsl"
+#include "interface/volume_starts.glsl"
 out Piece {
     vec4 corners[6]; // three above, three below: clip x, y, w; metres of water that the light there has passed
     vec2 density;    // flux by area across the light, above and below; 0: nothing is there

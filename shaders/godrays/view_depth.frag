@@ -1,5 +1,5 @@
 // How far what is no hole lies: 1 over metres along the view, in alpha.
-#include "include/receiver_fragment.glsl"
+#include "levelmap/receiver_fragment.glsl"
 layout(location = 0) out vec4 outFar;
 
 void main() {

@@ -1,6 +1,6 @@
 // A receiver as the camera sees it, for its depth alone.
-#include "include/godray_frame.glsl"
-#include "include/receiver_vertex.glsl"
+#include "godrays/godray_frame.glsl"
+#include "levelmap/receiver_vertex.glsl"
 
 void main() {
     passVertex();

@@ -1,5 +1,5 @@
 // The water's surface as the camera sees it, for its depth alone.
-#include "include/godray_frame.glsl"
+#include "godrays/godray_frame.glsl"
 layout(location = 0) in vec4 inPosition; // m from the scene's origin
 
 void main() { gl_Position = viewProjection * vec4(inPosition.xyz, 1.0); }

@@ -1,7 +1,7 @@
 // How many pieces each illumination volume is cut into: none where there is no light, and where no part of it can be seen.
 // In: rays and flux (illumination_volumes.comp). Out: counts.
-#include "include/illumination_volume.glsl"
-#include "include/volume_starts.glsl"
+#include "godrays/illumination_volume.glsl"
+#include "interface/volume_starts.glsl"
 layout(local_size_x = 64) in;
 
 void main() {

@@ -1,5 +1,5 @@
 // From counts to where each volume's pieces start: one group, in which each thread has a run of volumes.
-#include "include/volume_starts.glsl"
+#include "interface/volume_starts.glsl"
 layout(local_size_x = 256) in;
 layout(location = 0) uniform int volumes;
 shared uint sums[256];

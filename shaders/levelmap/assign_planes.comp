@@ -1,7 +1,7 @@
 // Gives each texel of a position map (RG32F, in place) the nearest plane of the sub-box that its depth lies in.
 // In: sub-boxes from the top down (levelmap/ReferencePlanes.h).
-#include "include/box.glsl"
-#include "include/planes.glsl"
+#include "levelmap/box.glsl"
+#include "optics/planes.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(rg32f, binding = 0) uniform image2D positionMap;
 struct SubBox {

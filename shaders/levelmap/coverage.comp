@@ -1,8 +1,8 @@
 // How much of each texel of a level map the surface at its middle covers.
 // In: R8, places that show that surface (coverage.frag); position map. Out, R32F: their share of the texel's places, at least
 // half a place; 0 where there is no receiver.
-#include "include/box.glsl"
-#include "include/coverage_places.glsl"
+#include "levelmap/box.glsl"
+#include "levelmap/coverage_places.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = 0) uniform sampler2D covered;
 layout(binding = 5) uniform sampler2D positionMap; // RG32F (level_map.frag)

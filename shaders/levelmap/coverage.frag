@@ -1,8 +1,8 @@
 // Whether a place of a level map shows the same surface as its texel's middle.
 // In: position and normal map. Out, R8: 1 (cleared to 0: no receiver).
-#include "include/level_map_texel.glsl"
-#include "include/octahedral.glsl"
-#include "include/same_surface.glsl"
+#include "levelmap/level_map_texel.glsl"
+#include "optics/octahedral.glsl"
+#include "levelmap/same_surface.glsl"
 layout(binding = 5) uniform sampler2D positionMap; // RG32F (level_map.frag)
 layout(binding = 6) uniform sampler2D normalMap;   // RG16
 layout(location = 0) out float outCovered;

@@ -1,4 +1,4 @@
 // A receiver's triangles with their own planes.
-#include "include/face.glsl"
+#include "levelmap/face.glsl"
 
 void main() { passFace(); }

@@ -1,6 +1,6 @@
 // Out, R32F, the smallest counts: metres from the lamp.
-#include "include/light.glsl"
-#include "include/receiver_fragment.glsl"
+#include "water/light.glsl"
+#include "levelmap/receiver_fragment.glsl"
 layout(location = 0) out float outDistance;
 
 void main() {

@@ -1,6 +1,6 @@
 // A receiver in one of the six views of a lamp (lamp_shadow.glsl).
-#include "include/lamp_shadow.glsl"
-#include "include/receiver_vertex.glsl"
+#include "levelmap/lamp_shadow.glsl"
+#include "levelmap/receiver_vertex.glsl"
 layout(location = 0) uniform int face;
 
 void main() {

@@ -1,6 +1,6 @@
 // A receiver seen along the light, in its own box.
-#include "include/box.glsl"
-#include "include/receiver_vertex.glsl"
+#include "levelmap/box.glsl"
+#include "levelmap/receiver_vertex.glsl"
 
 void main() {
     passVertex();

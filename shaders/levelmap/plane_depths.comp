@@ -1,7 +1,7 @@
 // The finest level of a plane pyramid: the depth of the reference plane that each texel belongs to.
 // In: position map RG32F (level_map.frag); depth of each plane by its index, m.
 // Out, RGBA32F: that depth twice, as least and greatest (1e30, -1e30: no receiver, or no light); 0, 0.
-#include "include/box.glsl"
+#include "levelmap/box.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = 0) uniform sampler2D positionMap;
 layout(rgba32f, binding = 0) uniform writeonly image2D depthRange;

@@ -1,8 +1,8 @@
 // Out 0, RG32F: metres of water along the mean light to this receiver; its number, and a
 // half where its face looks along the light. The exact ray of the texel is
 // cut with the face's plane, since between corners a point light's rays do not interpolate.
-#include "include/scene_depth.glsl"
-#include "include/receiver_fragment.glsl"
+#include "levelmap/scene_depth.glsl"
+#include "levelmap/receiver_fragment.glsl"
 layout(location = 1) uniform int receiverNumber;
 layout(location = 2) uniform float farthest;
 layout(location = 3) uniform ivec2 mapSize;

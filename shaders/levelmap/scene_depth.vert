@@ -1,6 +1,6 @@
 // A receiver seen from where the mean light enters the flat surface.
-#include "include/light.glsl"
-#include "include/receiver_vertex.glsl"
+#include "water/light.glsl"
+#include "levelmap/receiver_vertex.glsl"
 layout(location = 2) uniform float farthest; // m of water below which nothing lies
 
 void main() {

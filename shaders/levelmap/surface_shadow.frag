@@ -1,6 +1,6 @@
 // Out, R32F, the largest counts: metres along the light from here to the flat surface.
-#include "include/surface_shadow.glsl"
-#include "include/receiver_fragment.glsl"
+#include "water/surface_shadow.glsl"
+#include "levelmap/receiver_fragment.glsl"
 layout(location = 0) out float outDistance;
 
 void main() {

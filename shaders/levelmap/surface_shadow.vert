@@ -1,6 +1,6 @@
 // A receiver's dry part, projected along the light onto the flat surface.
-#include "include/light.glsl"
-#include "include/receiver_vertex.glsl"
+#include "water/light.glsl"
+#include "levelmap/receiver_vertex.glsl"
 
 void main() {
     passVertex();

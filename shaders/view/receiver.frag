@@ -1,11 +1,11 @@
 // A receiver lit by one of its caustic maps (thesis 4.6, eq. 4-19; further lights are added, eq. 4-20).
 // Out 0, RGBA32F: radiance that leaves the receiver, W/(m² sr), times alpha; alpha, 1 for what is not blended.
 // Out 1, R32F: metres from where it is seen: the camera, its mirror image, or where the view ray crosses the surface.
-#include "include/facing.glsl"
-#include "include/water_height.glsl"
-#include "include/receiver_fragment.glsl"
-#include "include/surface_shadow.glsl"
-#include "include/lamp_shadow.glsl"
+#include "levelmap/facing.glsl"
+#include "view/water_height.glsl"
+#include "levelmap/receiver_fragment.glsl"
+#include "water/surface_shadow.glsl"
+#include "levelmap/lamp_shadow.glsl"
 layout(binding = 1) uniform sampler2D castMap;
 layout(location = 0) uniform int underwater;   // 1: shows what is below the surface, 0: what is above it
 layout(location = 1) uniform int withAmbient;  // once for each receiver

@@ -1,5 +1,5 @@
 // A corner of a piece of a receiver's triangle, placed where the camera sees it.
-#include "include/view.glsl"
+#include "view/view.glsl"
 layout(triangles, equal_spacing, ccw) in;
 layout(location = 4) uniform int way; // straight, refracted or mirrored
 in ControlData {

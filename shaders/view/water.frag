@@ -1,8 +1,8 @@
 // The surface as the camera sees it: what lies beyond it by refraction, what lies on the camera's side by reflection,
 // each with its Fresnel share. Radiance that leaves the water shrinks by n² (L/n² is what stays along a ray).
 // In: the refracted and the mirrored view (follow_view.glsl). Out, RGBA32F: radiance, W/(m² sr).
-#include "include/surface_shadow.glsl"
-#include "include/follow_view.glsl"
+#include "water/surface_shadow.glsl"
+#include "view/follow_view.glsl"
 layout(binding = 0) uniform sampler2D refractedRadiance;
 layout(binding = 1) uniform sampler2D refractedDistance;
 layout(binding = 5) uniform sampler2D mirroredRadiance;

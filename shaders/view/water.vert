@@ -1,5 +1,5 @@
 // The water surface: the moving grid, or the flat rest of it out to the horizon.
-#include "include/view.glsl"
+#include "view/view.glsl"
 layout(location = 0) in vec4 inPosition; // m from the scene's origin
 layout(location = 1) in vec4 inNormal;
 layout(location = 1) uniform int flatRest;

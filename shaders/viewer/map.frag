@@ -1,6 +1,6 @@
 // One of a receiver's maps for the eye, RGBA8: what it holds as colours, dark where there is no receiver.
-#include "include/octahedral.glsl"
-#include "include/tonemap.glsl"
+#include "optics/octahedral.glsl"
+#include "optics/tonemap.glsl"
 
 layout(binding = 0) uniform sampler2D position; // of the level map: depth along the light, m; plane index, < 0: none
 layout(binding = 1) uniform sampler2D diffuse;  // base colour; share of the mean light

@@ -1,6 +1,6 @@
 // A picture as a display takes it: linear radiance in, the mean of each pixel's samples tone-mapped and dithered as
 // toneMapped does it (src/view/Picture.h) out, RGBA8. Two pictures side by side, or their difference.
-#include "include/tonemap.glsl"
+#include "optics/tonemap.glsl"
 
 layout(binding = 0) uniform sampler2D first;  // linear radiance, W/(m² sr), row 0 at the bottom
 layout(binding = 1) uniform sampler2D second; // likewise

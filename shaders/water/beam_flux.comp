@@ -2,8 +2,8 @@
 // for a point light (W per W/sr; what a spot leaves out counts less). Flux goes by the triangle's own face; the vertex normals only bend the rays.
 // In: vertex indices, beam origins. Out, a triangle: flux as if nothing stood out of the water; the share of it that
 // things above the water leave.
-#include "include/surface_shadow.glsl"
-#include "include/triangle.glsl"
+#include "water/surface_shadow.glsl"
+#include "water/triangle.glsl"
 layout(local_size_x = 64) in;
 layout(std430, binding = 0) readonly buffer Indices { uint indices[]; };
 layout(std430, binding = 3) readonly buffer BeamOrigins { vec4 origins[]; };

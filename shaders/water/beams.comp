@@ -1,7 +1,7 @@
 // One ray into the water for each vertex of the surface.
 // In: position and normal of the vertices. Out: origin (m, w = Fresnel transmittance) and unit direction below
 // the surface (w = 0). A vertex whose normal faces away from the light transmits nothing.
-#include "include/light.glsl"
+#include "water/light.glsl"
 layout(local_size_x = 64) in;
 layout(std430, binding = 1) readonly buffer Positions { vec4 positions[]; };
 layout(std430, binding = 2) readonly buffer Normals { vec4 normals[]; };

@@ -1,8 +1,8 @@
 // The water surface at one time: a grid of (quads + 1) vertices a side over the patch.
 // In: the waves, and the height maps with two frames each. Out: position (m from the scene's origin, w = 1) and unit
 // normal of each vertex, row by row in z.
-#include "include/spline.glsl"
-#include "include/waves.glsl"
+#include "optics/spline.glsl"
+#include "optics/waves.glsl"
 layout(local_size_x = 64) in;
 layout(std430, binding = 0) readonly buffer Waves { WaveTerm waves[]; };
 layout(std430, binding = 1) writeonly buffer Positions { vec4 positions[]; };

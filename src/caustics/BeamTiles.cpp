@@ -10,7 +10,7 @@ namespace limpid {
 
 namespace {
 constexpr int groupSize = 64;
-constexpr int tileQuads = 8; // as in shaders/include/beam_tiles.glsl
+constexpr int tileQuads = 8; // as in shaders/caustics/beam_tiles.glsl
 enum Uniform { Quads, Culled = 12 };
 enum Binding : GLuint { BoundsBinding, ReachedBinding, KeptBinding };
 

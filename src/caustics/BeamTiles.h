@@ -9,7 +9,7 @@ namespace limpid {
 
 /// The beams of a light by tiles of 8 × 8 quads of the water's grid.
 struct BeamTiles {
-    gl::Buffer bounds;  ///< RayBounds of shaders/include/beam_tiles.glsl
+    gl::Buffer bounds;  ///< RayBounds of shaders/caustics/beam_tiles.glsl
     gl::Buffer reached; ///< a tile: uint, 1 if some map was asked about it since the bounds were made
     glm::ivec2 quads{0};
 
@@ -44,7 +44,7 @@ class BeamCulling {
     enum class Depths { Planes, Leaning };
     /// Lists the tiles that may send a beam to the map; all others send none.
     void cull(const BeamTiles& tiles, const LevelMap& map, const gl::Texture& pyramid, Depths depths);
-    /// For programs with shaders/include/tile_quads.glsl: all tiles, or those kept by `culling` unless that
+    /// For programs with shaders/caustics/tile_quads.glsl: all tiles, or those kept by `culling` unless that
     /// is null.
     static void dispatch(const gl::Program& program, const BeamCulling* culling, glm::ivec2 quads);
     /// Where in `kept` the number of beams is, bytes.

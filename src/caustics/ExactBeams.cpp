@@ -26,14 +26,14 @@ constexpr glm::ivec2 resolveGroupSize{8, 8};
 /// wide ones are.
 constexpr std::int64_t mostTouches = 1 << 21;
 
-/// As shaders/include/beam_lists.glsl has them.
+/// As shaders/interface/beam_lists.glsl has them.
 enum List { Plain, ShadedQuads, Wide };
 struct ListWork {
     std::uint32_t groups[3]{0, 1, 1};
     std::uint32_t count = 0;
 };
 
-/// As shaders/include/beam_touches.glsl has it.
+/// As shaders/interface/beam_touches.glsl has it.
 struct TouchWork {
     std::uint32_t groups[3]{0, 1, 1};
     std::int32_t asked = 0, count[2]{};

@@ -10,7 +10,7 @@
 
 namespace limpid {
 
-/// Sums of flux in integers, 64 bits a texel and channel (shaders/include/flux_sums.glsl): scratch that is
+/// Sums of flux in integers, 64 bits a texel and channel (shaders/interface/flux_sums.glsl): scratch that is
 /// zero between maps.
 class FluxSums {
   public:

@@ -9,7 +9,7 @@
 namespace limpid {
 
 /// Parts of beams that touch many texels, left by one pass to another that gives each a work group
-/// (shaders/include/large_beams.glsl).
+/// (shaders/interface/large_beams.glsl).
 class LargeBeams {
   public:
     /// Work groups of one dispatch, which any driver takes: 1 MiB of them.

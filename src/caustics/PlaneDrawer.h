@@ -11,7 +11,7 @@ namespace limpid {
 /// 4.5): what every drawn method does once a plane. Sampling is at texel centres.
 class PlaneDrawer {
   public:
-    /// `fragmentShader` gives the irradiance of a beam (shaders/include/beam_irradiance.glsl) to the texels
+    /// `fragmentShader` gives the irradiance of a beam (shaders/caustics/beam_irradiance.glsl) to the texels
     /// that belong to the plane.
     PlaneDrawer(gl::Context& context, const char* fragmentShader);
 

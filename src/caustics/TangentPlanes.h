@@ -13,7 +13,7 @@ namespace limpid {
 /// What exact beams read of a level map. Same size and rows as its maps.
 struct TangentPlanes {
     /// RGBA32F: depth of the surface at the texel's centre, m (1e30: no receiver); how it grows by a texel
-    /// right and down, m; which places of the texel show it (shaders/include/rim.glsl).
+    /// right and down, m; which places of the texel show it (shaders/caustics/rim.glsl).
     gl::Texture planes;
     /// RGBA32F with all its levels, by blocks of texels: least and greatest depth, m; -1 where one is
     /// at a rim, else 0; 0.

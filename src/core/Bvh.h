@@ -20,7 +20,7 @@ struct Box3f {
 
 /// A node of a bounding volume hierarchy in depth-first order: its first child is the node behind it, and a
 /// traversal that misses it goes on at `next`, so none needs a stack. std430 of
-/// shaders/include/occluders.glsl.
+/// shaders/occlusion/occluders.glsl.
 struct BvhNode {
     glm::vec3 low;
     std::int32_t next; ///< the node after this one's subtree

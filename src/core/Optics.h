@@ -2,7 +2,7 @@
 #include <glm/glm.hpp>
 
 /// The shaders' physics on the CPU: in double precision for set-up (namespace optics) and in the shaders' own
-/// single precision (namespace shader). The lines are the same, from shaders/include.
+/// single precision (namespace shader). The lines are the same, from shaders/optics.
 
 // Not every file that includes this calls every function.
 #pragma GCC diagnostic push
@@ -17,9 +17,9 @@ using namespace glm;
 // The included files say float and vec3; this makes them mean double here.
 #define float double
 #define vec3 dvec3
-#include "include/cone.glsl"
-#include "include/optics.glsl"
-#include "include/planes.glsl"
+#include "optics/cone.glsl"
+#include "optics/optics.glsl"
+#include "optics/planes.glsl"
 #undef float
 #undef vec3
 } // namespace
@@ -28,16 +28,16 @@ using namespace glm;
 namespace limpid::shader {
 namespace {
 using namespace glm;
-#include "include/beam_area.glsl"
-#include "include/octahedral.glsl"
-#include "include/optics.glsl"
-#include "include/phase.glsl"
-#include "include/planes.glsl"
-#include "include/shaft_cuts.glsl"
-#include "include/spline.glsl"
-#include "include/tetrahedron.glsl"
-#include "include/water_grid.glsl"
-#include "include/waves.glsl"
+#include "optics/beam_area.glsl"
+#include "optics/octahedral.glsl"
+#include "optics/optics.glsl"
+#include "optics/phase.glsl"
+#include "optics/planes.glsl"
+#include "optics/shaft_cuts.glsl"
+#include "optics/spline.glsl"
+#include "optics/tetrahedron.glsl"
+#include "optics/water_grid.glsl"
+#include "optics/waves.glsl"
 } // namespace
 } // namespace limpid::shader
 

@@ -3,7 +3,7 @@
 
 namespace limpid::gl {
 
-/// While it lives, depth runs from 1 near by to 0 far away (shaders/include/view.glsl), whose single
+/// While it lives, depth runs from 1 near by to 0 far away (shaders/view/view.glsl), whose single
 /// precision is then as fine as the distances.
 struct NearIsOne {
     NearIsOne() {

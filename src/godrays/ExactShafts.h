@@ -20,7 +20,7 @@ class ExactShafts {
     /// Adds to `target` the radiance that the water between the camera and what ends the view scatters to it.
     void draw(GodrayTarget& target, const GodrayInputs& inputs);
 
-    /// How the water is cut for one light: shaders/include/shaft_gaps.glsl (std430).
+    /// How the water is cut for one light: shaders/interface/shaft_gaps.glsl (std430).
     struct Gap {
         glm::vec4 rect, depth;
     };

@@ -6,7 +6,7 @@ namespace limpid {
 
 namespace {
 
-/// Of shaders/include/photon_ray.glsl.
+/// Of shaders/water/photon_ray.glsl.
 enum PhotonUniform { PatchRect, Quads, PhotonRect, Cells, Subdivision };
 
 struct GodrayFrameData {

@@ -7,7 +7,7 @@ namespace limpid {
 namespace {
 
 enum SweepUniform { Reach = 5, Farthest, TestSurfaceShadow };
-/// Of shaders/include/illumination_volume.glsl, and of what draws.
+/// Of shaders/godrays/illumination_volume.glsl, and of what draws.
 enum VolumeUniform { Across, Cuts, Lost, Near = 8 };
 enum StartsUniform { Volumes };
 constexpr int groupSize = 64;

@@ -11,7 +11,7 @@ namespace {
 enum Uniform { Places = 2, GridPlaces };
 enum Unit : GLuint { CoveredUnit, PositionUnit = 5, NormalUnit };
 constexpr glm::ivec2 groupSize{8, 8};
-constexpr double lean = 0.0773; // as in shaders/include/coverage_places.glsl
+constexpr double lean = 0.0773; // as in shaders/levelmap/coverage_places.glsl
 constexpr int mostPlaces = 4096;
 
 /// Along a texel's side: as many as leave 2e-4 of a square map in doubt. Each of 4 `side` texels at a rim is

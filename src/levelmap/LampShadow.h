@@ -9,7 +9,7 @@
 
 namespace limpid {
 
-/// What a lamp under water sees first, in all directions (shaders/include/lamp_shadow.glsl). R32F: metres
+/// What a lamp under water sees first, in all directions (shaders/levelmap/lamp_shadow.glsl). R32F: metres
 /// from the lamp to the first receiver below the level, 1e30 for none.
 class LampShadowPass {
   public:

@@ -17,7 +17,7 @@ namespace limpid {
 /// `frame.texel` m wide.
 struct LevelMap {
     TexelFrame frame;     ///< in the world
-    gl::Buffer box;       ///< BoxFrame of shaders/include/box.glsl, m from the scene's origin
+    gl::Buffer box;       ///< BoxFrame of shaders/levelmap/box.glsl, m from the scene's origin
     gl::Texture position; ///< RG32F: depth along the light, m; plane index, -1 no receiver, -2 in shadow, -3
                           ///< inside of a solid
     gl::Texture diffuse;  ///< SRGB8_ALPHA8: base colour; share of the mean light that arrives
@@ -46,7 +46,7 @@ struct LitReceiver {
     const Beams& beams;            ///< for the mean light
     const gl::Texture* sceneDepth; ///< null: nothing else can be before the receiver
 
-    /// Sets what shaders/include/level_map_texel.glsl reads for a prepared map, and draws.
+    /// Sets what shaders/levelmap/level_map_texel.glsl reads for a prepared map, and draws.
     void draw(const gl::Program& program, const LevelMap& map) const;
 };
 

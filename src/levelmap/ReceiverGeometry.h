@@ -17,7 +17,7 @@ class ReceiverGeometry {
   public:
     ReceiverGeometry(gl::Context& context, const Receiver& receiver, const glm::dvec3& origin);
 
-    /// Draws all triangles; the material is what shaders/include/receiver_fragment.glsl takes.
+    /// Draws all triangles; the material is what shaders/levelmap/receiver_fragment.glsl takes.
     /// `primitive` is GL_TRIANGLES, or GL_PATCHES for a program that tessellates.
     /// What lets more than half of the light through counts as a hole, else as solid.
     void draw(const gl::Program& program, GLenum primitive = GL_TRIANGLES) const;

@@ -16,7 +16,7 @@ struct SceneDepth {
     /// behind.
     gl::Texture first;
 
-    /// To the unit that shaders/include/scene_depth.glsl reads.
+    /// To the unit that shaders/levelmap/scene_depth.glsl reads.
     void bind() const;
 };
 

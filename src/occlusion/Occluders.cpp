@@ -12,7 +12,7 @@ namespace {
 
 enum Binding : GLuint { Nodes = 12, Triangles, Veils, Materials };
 
-/// As shaders/include/occluders.glsl has it.
+/// As shaders/occlusion/occluders.glsl has it.
 struct Triangle {
     glm::vec3 a;
     std::int32_t receiver;
@@ -29,7 +29,7 @@ struct Triangle {
     }
 };
 
-/// As shaders/include/veils.glsl has them.
+/// As shaders/occlusion/veils.glsl has them.
 struct VeilTriangle {
     glm::vec4 colors[3]; ///< linear RGB and alpha of the corners, the material's factor among them
     glm::vec2 uvs[3];

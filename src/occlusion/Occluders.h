@@ -10,7 +10,7 @@
 namespace limpid {
 
 /// The triangles of all receivers as things that stand in light's way, in a bounding volume hierarchy on the
-/// GPU: what shaders/include/occluders.glsl reads. Light under waves goes its own way, so whether something
+/// GPU: what shaders/occlusion/occluders.glsl reads. Light under waves goes its own way, so whether something
 /// takes it is asked of the geometry itself and not of a picture of it: sheets without thickness, faces along
 /// the light and things finer than a texel count like any other, at any size of a map.
 class Occluders {

@@ -11,8 +11,8 @@ constexpr glm::ivec2 groupSize{8, 8};
 
 TakenLight::TakenLight(gl::Context& context)
     : _context(context), _opacity({"levelmap/level_map.vert", "levelmap/face.geom", "levelmap/opacity.frag"}),
-      _shade({"caustics/veiled_light.comp"}),
-      _apply({"caustics/take.comp"}) {}
+      _shade({"occlusion/veiled_light.comp"}),
+      _apply({"occlusion/take.comp"}) {}
 
 gl::Texture TakenLight::opacity(const LevelMap& map, const LitReceiver& receiver) {
     gl::Texture opacity(_context.ledger(), "taken light", GL_RGBA16, map.frame.size);

@@ -25,7 +25,7 @@ std::size_t axisOf(const Facings& facings, const glm::dvec3& normal) {
     return best;
 }
 
-/// As facingOf in shaders/include/facing.glsl: the map that holds a face.
+/// As facingOf in shaders/levelmap/facing.glsl: the map that holds a face.
 int facingOf(const Facings& facings, const glm::dvec3& normal) {
     // Wider than there by what rounding may turn.
     if (std::abs(glm::dot(normal, facings.light)) >= Facings::steep) return 0;

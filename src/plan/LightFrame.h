@@ -8,7 +8,7 @@
 
 namespace limpid {
 
-/// A light over the water, as shaders/include/light.glsl reads it (std140). Positions in m from the scene's
+/// A light over the water, as shaders/water/light.glsl reads it (std140). Positions in m from the scene's
 /// origin.
 struct LightFrameData {
     glm::vec4 position{0};

@@ -7,7 +7,7 @@
 
 namespace limpid {
 
-/// One wave as the shaders read it: `WaveTerm` of shaders/include/waves.glsl (std430).
+/// One wave as the shaders read it: `WaveTerm` of shaders/optics/waves.glsl (std430).
 struct WaveTermData {
     glm::vec4 shape{0};
     glm::vec4 place{0};

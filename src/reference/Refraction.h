@@ -3,7 +3,7 @@
 
 #include <glm/glm.hpp>
 
-/// Light from air (index 1) into water, in double precision. Written apart from shaders/include/optics.glsl
+/// Light from air (index 1) into water, in double precision. Written apart from shaders/optics/optics.glsl
 /// on purpose: the reference is to find that one's mistakes.
 namespace limpid::reference {
 

@@ -14,7 +14,7 @@ struct HeightBounds {
     glm::dvec2 steepest{0}; ///< slope along x and z, height a texel
 };
 
-/// Heights on a grid of texels as coefficients of a bicubic B-spline (shaders/include/spline.glsl), one a
+/// Heights on a grid of texels as coefficients of a bicubic B-spline (shaders/optics/spline.glsl), one a
 /// texel, row by row: x grows along a row and z from row to row. The spline goes through the heights it was
 /// made from, and height, slope and curvature are continuous everywhere: the rate at which a surface focuses
 /// light is its curvature, so with anything less smooth the texels would show in the caustics. The two

@@ -41,7 +41,7 @@ constexpr bool isTexture(WaveType type) {
 }
 
 /// One term of the surface's height, m, at horizontal position xz and time t (see
-/// shaders/include/waves.glsl).
+/// shaders/optics/waves.glsl).
 struct Wave {
     WaveType type = WaveType::Cosine;
     /// m; cosine and circular: half of crest to trough; noise: of the first octave; height map: for one unit
@@ -87,7 +87,7 @@ inline constexpr std::string_view lightTypeNames[] = {"directional", "point", "s
 
 /// A spot is a point light with a cone: in a direction at an angle a to its axis it has
 /// clamp((cos a - cos outer) / max(0.001, cos inner - cos outer), 0, 1)² of its intensity
-/// (KHR_lights_punctual; shaders/include/cone.glsl).
+/// (KHR_lights_punctual; shaders/optics/cone.glsl).
 struct Light {
     std::string name = "light";
     LightType type = LightType::Directional;

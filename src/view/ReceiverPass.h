@@ -14,7 +14,7 @@
 
 namespace limpid {
 
-/// How receivers come into a view (shaders/include/view.glsl): as they are; through the flat surface, for
+/// How receivers come into a view (shaders/view/view.glsl): as they are; through the flat surface, for
 /// those on its far side; mirrored in it.
 enum class Way { Straight, Refracted, Mirrored };
 

@@ -8,7 +8,7 @@ namespace limpid {
 namespace {
 namespace shader {
 using namespace glm;
-#include "include/tonemap.glsl"
+#include "optics/tonemap.glsl"
 } // namespace shader
 // An even spread of [0, 1) over pixels (R2 sequence, Roberts 2018): dithers without a pattern that the eye
 // finds.

@@ -20,7 +20,7 @@ double nearPlane(const Bounds& bounds, const Camera& camera) {
     return 1e-3 * std::max(std::min(glm::distance(*camera.position, *camera.target), toScene), 1e-9);
 }
 
-/// y of the water's surface at a place, as it is drawn there (shaders/include/water_height.glsl), in the
+/// y of the water's surface at a place, as it is drawn there (shaders/view/water_height.glsl), in the
 /// world.
 double surfaceHeight(const Water& water, const WaterPatch& patch, const WaterMesh& surface,
                      const glm::dvec3& origin, const glm::dvec2& xz) {

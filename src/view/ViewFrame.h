@@ -9,7 +9,7 @@
 
 namespace limpid {
 
-/// The camera and what it sees everything through, as shaders/include/view.glsl reads it (std140). Positions
+/// The camera and what it sees everything through, as shaders/view/view.glsl reads it (std140). Positions
 /// in m from the scene's origin, radiance in W/(m² sr).
 struct ViewFrameData {
     glm::mat4 viewProjection;

@@ -17,7 +17,7 @@ void addCorners(Points& points, const Bounds& bounds) {
 }
 
 /// Whether the hull of `points` may reach into the view: it does not where all of them are beyond one side,
-/// or behind the camera. `scale` as viewClip of shaders/include/view.glsl has it.
+/// or behind the camera. `scale` as viewClip of shaders/view/view.glsl has it.
 bool mayBeSeen(const glm::dmat4& viewProjection, double scale, const Points& points) {
     double left = -1e300, right = -1e300, low = -1e300, high = -1e300, before = -1e300;
     for (const glm::dvec3& point : points) {

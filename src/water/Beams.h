@@ -8,7 +8,7 @@
 
 namespace limpid {
 
-/// Texture unit of the surface shadow map, as shaders/include/surface_shadow.glsl has it.
+/// Texture unit of the surface shadow map, as shaders/water/surface_shadow.glsl has it.
 inline constexpr GLuint surfaceShadowUnit = 3;
 /// Texture unit of a lamp shadow map, as shaders/view/receiver.frag has it.
 inline constexpr GLuint lampShadowUnit = 7;

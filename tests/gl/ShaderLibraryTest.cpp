@@ -23,12 +23,12 @@ TEST(ShaderLibrary, resolvesIncludesOnce) {
 TEST(ShaderLibrary, namesFileAndLineInADriversMessage) {
     const ResolvedShader shader = resolveShader("water/beams.comp");
     const auto line =
-        std::find(shader.origins.begin(), shader.origins.end(), "shaders/include/optics.glsl:8");
+        std::find(shader.origins.begin(), shader.origins.end(), "shaders/optics/optics.glsl:8");
     ASSERT_NE(line, shader.origins.end());
     const auto number = std::to_string(line - shader.origins.begin() + 1);
-    EXPECT_EQ(shader.locate("0:" + number + "(3): error: bad"), "shaders/include/optics.glsl:8: error: bad")
+    EXPECT_EQ(shader.locate("0:" + number + "(3): error: bad"), "shaders/optics/optics.glsl:8: error: bad")
         << "Mesa";
-    EXPECT_EQ(shader.locate("0(" + number + ") : error C1"), "shaders/include/optics.glsl:8 : error C1")
+    EXPECT_EQ(shader.locate("0(" + number + ") : error C1"), "shaders/optics/optics.glsl:8 : error C1")
         << "NVIDIA";
 }
 

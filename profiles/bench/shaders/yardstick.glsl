@@ -1,6 +1,6 @@
 // What the yardsticks share: rays onto one plane, half-way down a receiver's box.
-#include "include/box.glsl"
-#include "include/light.glsl"
+#include "levelmap/box.glsl"
+#include "water/light.glsl"
 
 // Where the ray from a point of the surface meets the plane, in texels of the receiver's map.
 vec2 texelOf(vec3 surface, vec3 direction) {

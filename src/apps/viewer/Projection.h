@@ -13,7 +13,7 @@ struct Ray {
     glm::dvec3 direction{0, 0, -1};
 };
 
-/// Where a picture shows the points of a scene, seen through flat water (shaders/include/view.glsl without
+/// Where a picture shows the points of a scene, seen through flat water (shaders/view/view.glsl without
 /// the waves). Pixels count from the upper left corner.
 class Projection {
   public:

@@ -1,7 +1,0 @@
-// Share of what is scattered that goes a way, 1/sr.
-#include "include/godray_frame.glsl"
-#include "include/phase.glsl"
-
-float scatteredTowards(float cosTurn) {
-    return strength.w > 0.5 ? schlickPhase(cosTurn, scattering.w) : henyeyGreenstein(cosTurn, scattering.w);
-}

@@ -1,0 +1,63 @@
+// The camera and what it sees everything through. Positions in m from the scene's origin, radiance in W/(m² sr).
+// The near side is the camera's own side of the surface, the far side the other one.
+#include "optics/optics.glsl"
+#include "optics/water_grid.glsl"
+layout(std140, binding = 2) uniform ViewFrame {
+    mat4 viewProjection;
+    vec4 cameraPosition; // w: 1 above the water's surface, 0 below
+    vec4 ambientRadiance;
+    vec4 skyRadiance;
+    vec4 waterExtinction; // RGB, 1/m; w: an upper bound on m beyond the surface along a view ray to any receiver
+    vec4 viewWater;       // y, m, of the flat surface that views are made by: the level, or between camera and level
+                          // where the camera is in the waves; index of refraction; scale of the views through and in the surface (their margin);
+                          // m that a texel is wide in a metre's distance
+    vec4 deepRadiance;    // what endless water looks like
+    vec4 waterRest;       // x: the level, m
+    vec4 patchRect;       // x, z of a corner and extents of the moving grid, m
+    ivec4 patchQuads;     // of the moving grid, in x and z
+    vec4 nearSideMin, nearSideMax; // what may show in the surface by reflection, m; w of the first: 1 if there is any
+    vec4 farSideMin, farSideMax;   // what may show through it, likewise
+};
+
+// How receivers come into a view: as they are; through the flat surface, for those on its far side; mirrored in it.
+const int straight = 0, refracted = 1, mirrored = 2;
+
+// Radiance that is left of `radiance` after `metres` of water, with what the water adds on the way.
+vec3 throughWater(vec3 radiance, float metres) {
+    vec3 left = extinction(waterExtinction.rgb, metres);
+    return radiance * left + deepRadiance.rgb * (1.0 - left);
+}
+
+bool cameraAbove() { return cameraPosition.w > 0.5; }
+
+vec3 mirror(vec3 point) { return vec3(point.x, 2.0 * viewWater.x - point.y, point.z); }
+
+// Where a view ray to `point` on the far side crosses the flat surface.
+vec3 viewCrossing(vec3 point) {
+    vec3 upper = cameraAbove() ? cameraPosition.xyz : point, lower = cameraAbove() ? point : cameraPosition.xyz;
+    vec2 away = lower.xz - upper.xz;
+    float across = length(away);
+    float x = flatCrossing(upper.y - viewWater.x, max(viewWater.x - lower.y, 0.0), across, viewWater.y);
+    vec2 at = upper.xz + (across > 0.0 ? away * (x / across) : vec2(0.0));
+    return vec3(at.x, viewWater.x, at.y);
+}
+
+// The last point before `point` on the way there from the camera: itself, the place where the ray crosses the surface,
+// or the camera's mirror image.
+vec3 seenFrom(vec3 point, int way) {
+    if (way == straight) return cameraPosition.xyz;
+    return way == mirrored ? mirror(cameraPosition.xyz) : viewCrossing(point);
+}
+
+// Clip coordinates of a point seen one way; depth runs from 1 near by to 0 far away. It is by perspective; through the
+// surface, by metres beyond it.
+vec4 viewClip(vec3 point, int way) {
+    if (way == straight) return viewProjection * vec4(point, 1.0);
+    // A triangle through the surface must not kink there: what is this side of it is seen straight.
+    bool beyond = (point.y < viewWater.x) == cameraAbove();
+    vec3 seenAt = way == mirrored ? mirror(point) : beyond ? viewCrossing(point) : point;
+    vec4 clip = viewProjection * vec4(seenAt, 1.0);
+    clip.xy *= viewWater.z;
+    if (way == refracted) clip.z = (0.95 - 0.9 * distance(point, seenAt) / waterExtinction.w) * clip.w;
+    return clip;
+}
