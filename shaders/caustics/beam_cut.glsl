@@ -1,6 +1,7 @@
 // A quad's corner rays on the tangent plane of a texel.
+#include "interface/bindings.glsl"
 #include "caustics/beam_quads.glsl"
-layout(binding = 0) uniform sampler2D tangentPlanes; // RGBA32F (tangent_planes.comp)
+layout(binding = tangentPlanesUnit) uniform sampler2D tangentPlanes; // RGBA32F (tangent_planes.comp)
 
 struct Cut {
     vec2 p, q, r, s; // texels from the texel's corner

@@ -1,12 +1,13 @@
 // What one beam gives a texel that the beam's intersection triangle with a plane covers (thesis 4.5, eq. 4-18 with
 // Fresnel, RGB extinction along the beam, and the receiver's own cosine). For fragment shaders after drawn_plane.vert.
+#include "interface/bindings.glsl"
 #include "caustics/footprint.glsl"
 #include "water/surface_shadow.glsl"
-layout(std430, binding = 8) readonly buffer BeamAreas { vec4 areas[]; };
-layout(location = 0) uniform float planeDepth;     // m
-layout(location = 2) uniform vec3 strength;        // of the light, W per unit of flux
-layout(location = 3) uniform vec3 extinctionPerMetre;
-layout(location = 4) uniform int testSurfaceShadow; // 0: nothing stands out of the water
+layout(std430, binding = beamAreasBuffer) readonly buffer BeamAreas { vec4 areas[]; };
+layout(location = planeDepthLocation) uniform float planeDepth; // m
+layout(location = strengthLocation) uniform vec3 strength;      // of the light, W per unit of flux
+layout(location = extinctionPerMetreLocation) uniform vec3 extinctionPerMetre;
+layout(location = testSurfaceShadowLocation) uniform int testSurfaceShadow; // 0: nothing stands out of the water
 in vec2 slope;
 in float startDepth;
 

@@ -1,12 +1,13 @@
 // The quads of the water's grid as one receiver's map sees them, and which of its texels they may touch.
+#include "interface/bindings.glsl"
 #include "levelmap/box.glsl"
 #include "caustics/beam_limits.glsl"
 #include "levelmap/depth_pyramid.glsl"
-layout(binding = 2) uniform sampler2D depthPyramid; // RGBA32F (tangent_planes.comp)
-layout(std430, binding = 5) readonly buffer BeamFlux { float flux[]; };
-layout(std430, binding = 6) readonly buffer Footprints { vec4 footprints[]; };
-layout(std430, binding = 7) readonly buffer OriginDepths { float originDepths[]; };
-layout(location = 0) uniform ivec2 quads; // of the water's grid
+layout(binding = depthPyramidUnit) uniform sampler2D depthPyramid; // RGBA32F (tangent_planes.comp)
+layout(std430, binding = beamFluxBuffer) readonly buffer BeamFlux { float flux[]; };
+layout(std430, binding = footprintsBuffer) readonly buffer Footprints { vec4 footprints[]; };
+layout(std430, binding = originDepthsBuffer) readonly buffer OriginDepths { float originDepths[]; };
+layout(location = quadsLocation) uniform ivec2 quads; // of the water's grid
 
 // The corners of a quad: p and q the ends of its diagonal, r and s beside it. Beams are r p q and q p s.
 struct Quad {

@@ -1,12 +1,13 @@
 // Bounds of a light's rays by tiles of the water's grid; one invocation a tile.
 // In: beam origins, directions. Out: bounds (beam_tiles.glsl); marks of reached tiles, all cleared.
+#include "interface/bindings.glsl"
 #include "caustics/beam_tiles.glsl"
 layout(local_size_x = 64) in;
-layout(std430, binding = 0) writeonly buffer Tiles { RayBounds bounds[]; };
-layout(std430, binding = 1) writeonly buffer Reached { uint reached[]; };
-layout(std430, binding = 3) readonly buffer BeamOrigins { vec4 origins[]; };
-layout(std430, binding = 4) readonly buffer BeamDirections { vec4 directions[]; };
-layout(location = 0) uniform ivec2 quads;
+layout(std430, binding = tileBoundsBuffer) writeonly buffer Tiles { RayBounds bounds[]; };
+layout(std430, binding = reachedTilesBuffer) writeonly buffer Reached { uint reached[]; };
+layout(std430, binding = beamOriginsBuffer) readonly buffer BeamOrigins { vec4 origins[]; };
+layout(std430, binding = beamDirectionsBuffer) readonly buffer BeamDirections { vec4 directions[]; };
+layout(location = quadsLocation) uniform ivec2 quads;
 
 void main() {
     int tile = int(gl_GlobalInvocationID.y * gl_NumWorkGroups.x * gl_WorkGroupSize.x + gl_GlobalInvocationID.x);

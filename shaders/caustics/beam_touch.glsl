@@ -1,20 +1,21 @@
 // What one texel takes of a quad's beams: cut at the texel's own tangent plane (physics.md, point 5: exact on flat faces,
 // and free of 1/area at a focus), less what the light loses on its way. EXTINCTION: water takes light. SHADED: something
 // may shade the quad (beam_shade.glsl).
+#include "interface/bindings.glsl"
 #include "caustics/beam_cut.glsl"
 #include "caustics/beam_sheet.glsl"
 #include "caustics/beam_deposit.glsl"
 #include "optics/optics.glsl"
-layout(location = 1) uniform float stepsPerFlux;      // of the sums
+layout(location = stepsPerFluxLocation) uniform float stepsPerFlux; // of the sums
 #ifdef EXTINCTION
-layout(location = 2) uniform vec3 extinctionPerMetre;
+layout(location = extinctionPerMetreLocation) uniform vec3 extinctionPerMetre;
 #endif
 #ifdef SHADED
 #include "caustics/beam_shade.glsl"
-layout(location = 3) uniform int testOcclusion;       // 0: nothing can be before the receiver
-layout(location = 4) uniform int testSurfaceShadow;   // 0: nothing stands out of the water
-layout(location = 5) uniform int receiverNumber;
-layout(std430, binding = 9) readonly buffer BeamLit { float lit[]; }; // a beam: what things above the water leave of its light
+layout(location = testOcclusionLocation) uniform int testOcclusion;         // 0: nothing can be before the receiver
+layout(location = testSurfaceShadowLocation) uniform int testSurfaceShadow; // 0: nothing stands out of the water
+layout(location = receiverNumberLocation) uniform int receiverNumber;
+layout(std430, binding = beamLitBuffer) readonly buffer BeamLit { float lit[]; }; // a beam: what things above the water leave of its light
 
 bool isCut(int quad) { return testSurfaceShadow != 0 && (lit[2 * quad] < 1.0 || lit[2 * quad + 1] < 1.0); }
 

@@ -1,6 +1,6 @@
 // Walks the texels that a quad may touch; calls `visit` for each whose surface is at a depth that the walk is at there.
 #include "caustics/beam_cut.glsl"
-#include "interface/large_beams.glsl"
+#include "caustics/large_beams.glsl"
 
 void visit(Quad quad, int index, ivec2 texel);
 // Whether a slab of many texels is left to a later pass; `number` says which slab of the quad it is.

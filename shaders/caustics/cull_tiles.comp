@@ -3,15 +3,16 @@
 // In: bounds of the tiles; depths of the map's planes (levelmap/PlaneDepths.h), or with LEANING depths as exact beams
 // count them (caustics/TangentPlanes.h). Out: list of the tiles, as work groups of an indirect
 // dispatch; beams in them; marks of the tiles that are reached.
+#include "interface/bindings.glsl"
 #include "caustics/beam_limits.glsl"
 #include "caustics/beam_tiles.glsl"
 #include "levelmap/box.glsl"
 #include "interface/kept_tiles.glsl"
 layout(local_size_x = 64) in;
-layout(binding = 0) uniform sampler2D depthPyramid; // RGBA32F, m: x, y of its last level: least and greatest depth of all
-layout(std430, binding = 0) readonly buffer Tiles { RayBounds bounds[]; };
-layout(std430, binding = 1) writeonly buffer Reached { uint reached[]; };
-layout(location = 0) uniform ivec2 quads;
+layout(binding = depthPyramidUnit) uniform sampler2D depthPyramid; // RGBA32F, m: x, y of its last level: least and greatest depth of all
+layout(std430, binding = tileBoundsBuffer) readonly buffer Tiles { RayBounds bounds[]; };
+layout(std430, binding = reachedTilesBuffer) writeonly buffer Reached { uint reached[]; };
+layout(location = quadsLocation) uniform ivec2 quads;
 
 // Numbers that are known to lie between two. All is in m, along the box's axes.
 vec2 alongAxis(vec3 axis, vec3 low, vec3 high) {

@@ -1,16 +1,17 @@
 // Spreads each texel's light over the image of a part of the sun's disc.
 // In: irradiance RGBA32F, W/m² on the receiver's surface; position map RG32F; normal map RG16. Out: RGBA32F, likewise.
+#include "interface/bindings.glsl"
 #include "levelmap/box.glsl"
 #include "water/light.glsl"
 #include "optics/octahedral.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(binding = 0) uniform sampler2D irradianceMap;
-layout(binding = 1) uniform sampler2D positionMap;
-layout(binding = 2) uniform sampler2D normalMap;
-layout(rgba32f, binding = 0) uniform writeonly image2D spread;
+layout(binding = irradianceMapUnit) uniform sampler2D irradianceMap;
+layout(binding = positionMapUnit) uniform sampler2D positionMap;
+layout(binding = normalMapUnit) uniform sampler2D normalMap;
+layout(rgba32f, binding = irradianceImage) uniform writeonly image2D spread;
 // From the middle of the part of the disc to its rim, as turns of the refracted light.
-layout(location = 0) uniform vec3 turnRight;
-layout(location = 1) uniform vec3 turnDown;
+layout(location = turnRightLocation) uniform vec3 turnRight;
+layout(location = turnDownLocation) uniform vec3 turnDown;
 
 // Neighbours to each side, at most: wider ellipses are sampled at every other texel, or fewer.
 const int mostTaps = 8;

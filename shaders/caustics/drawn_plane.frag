@@ -1,12 +1,13 @@
 // Adds one beam's irradiance to the texels of a level map that belong to the plane.
 // Out, RGBA32F, added: W/m² on the receiver's own surface.
+#include "interface/bindings.glsl"
 #include "caustics/beam_irradiance.glsl"
 #include "optics/octahedral.glsl"
-layout(binding = 0) uniform sampler2D positionMap; // RG32F
-layout(binding = 1) uniform sampler2D diffuseMap;  // alpha: share of the mean light
-layout(binding = 2) uniform sampler2D normalMap;   // RG16
-layout(location = 1) uniform int planeNumber;
-layout(location = 0) out vec4 irradiance;
+layout(binding = positionMapUnit) uniform sampler2D positionMap; // RG32F
+layout(binding = diffuseMapUnit) uniform sampler2D diffuseMap;   // alpha: share of the mean light
+layout(binding = normalMapUnit) uniform sampler2D normalMap;     // RG16
+layout(location = planeNumberLocation) uniform int planeNumber;
+out vec4 irradiance;
 
 void main() {
     ivec2 texel = ivec2(gl_FragCoord.xy);

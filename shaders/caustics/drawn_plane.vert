@@ -1,8 +1,9 @@
 // The intersection of the beams' edges with one reference plane (thesis 4.4), in texels of the receiver's maps.
+#include "interface/bindings.glsl"
 #include "levelmap/box.glsl"
-layout(location = 0) in vec4 footprint;    // texels; texels per metre (footprints.comp)
-layout(location = 1) in float originDepth; // m
-layout(location = 0) uniform float planeDepth; // m
+layout(location = footprintAttribute) in vec4 footprint;      // texels; texels per metre (footprints.comp)
+layout(location = originDepthAttribute) in float originDepth; // m
+layout(location = planeDepthLocation) uniform float planeDepth;     // m
 out vec2 slope;                            // sideways per metre of depth
 out float startDepth;                      // m
 

@@ -4,23 +4,24 @@
 // One invocation for the two beams of a quad, a work group for a tile of quads. In: footprints (footprints.comp), flux, depth
 // pyramid. Out: flux sums, one channel or three (COLOURED), and the lists. EXTINCTION: water takes light. SHADED: something
 // may shade something.
+#include "interface/bindings.glsl"
 #include "caustics/beam_quads.glsl"
 #include "caustics/beam_sheet.glsl"
 #include "caustics/beam_deposit.glsl"
-#include "interface/beam_lists.glsl"
+#include "caustics/beam_lists.glsl"
 #include "optics/optics.glsl"
 #include "caustics/tile_quads.glsl"
 layout(local_size_x = 64) in;
-layout(location = 1) uniform float stepsPerFlux;      // of the sums
+layout(location = stepsPerFluxLocation) uniform float stepsPerFlux; // of the sums
 #ifdef EXTINCTION
-layout(location = 2) uniform vec3 extinctionPerMetre;
+layout(location = extinctionPerMetreLocation) uniform vec3 extinctionPerMetre;
 #endif
 #ifdef SHADED
 #include "occlusion/occluders.glsl"
-layout(location = 3) uniform int testOcclusion;       // 0: nothing can be before the receiver
-layout(location = 4) uniform int testSurfaceShadow;   // 0: nothing stands out of the water
-layout(location = 5) uniform int receiverNumber;
-layout(std430, binding = 9) readonly buffer BeamLit { float lit[]; };
+layout(location = testOcclusionLocation) uniform int testOcclusion;         // 0: nothing can be before the receiver
+layout(location = testSurfaceShadowLocation) uniform int testSurfaceShadow; // 0: nothing stands out of the water
+layout(location = receiverNumberLocation) uniform int receiverNumber;
+layout(std430, binding = beamLitBuffer) readonly buffer BeamLit { float lit[]; };
 #endif
 
 // Depths within this much, in texels, are one plane.

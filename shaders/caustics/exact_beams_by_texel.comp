@@ -2,11 +2,12 @@
 // One invocation for the two beams of a quad. In: footprints, flux, tangent planes, depth pyramid, the list. Out: flux
 // sums, one channel or three (COLOURED); see beam_touch.glsl for EXTINCTION and SHADED.
 // LARGE: the tiles of the quads of all lists that touch many texels, which the passes over the lists left.
+#include "interface/bindings.glsl"
 #include "caustics/beam_touch.glsl"
 #include "caustics/beam_walk.glsl"
-#include "interface/beam_lists.glsl"
+#include "caustics/beam_lists.glsl"
 layout(local_size_x = 64) in;
-layout(location = 6) uniform int list;
+layout(location = listLocation) uniform int list;
 
 bool leaveSlab(int index, int number, Slab slab) { return leaveToMany(index, number, slab.low, slab.high); }
 void visit(Quad quad, int index, ivec2 texel) { touch(quad, index, texel); }

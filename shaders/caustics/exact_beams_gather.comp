@@ -5,8 +5,8 @@
 // found no room, in the list `wide`.
 #include "caustics/beam_cut.glsl"
 #include "caustics/beam_walk.glsl"
-#include "interface/beam_lists.glsl"
-#include "interface/beam_touches.glsl"
+#include "caustics/beam_lists.glsl"
+#include "caustics/beam_touches.glsl"
 layout(local_size_x = 64) in;
 
 bool leaveSlab(int index, int number, Slab slab) { return false; }

@@ -2,7 +2,7 @@
 // In: touches (exact_beams_gather.comp), footprints, flux, tangent planes. Out: flux sums, one channel or three (COLOURED);
 // see beam_touch.glsl for EXTINCTION and SHADED.
 #include "caustics/beam_touch.glsl"
-#include "interface/beam_touches.glsl"
+#include "caustics/beam_touches.glsl"
 layout(local_size_x = 64) in;
 
 void main() {

@@ -1,12 +1,13 @@
 // Cross-section of each beam perpendicular to the box's axis (footprint.glsl), and its flux.
 // In: indices, footprints, flux. Out: (c0, c1, c2, flux).
+#include "interface/bindings.glsl"
 #include "caustics/footprint.glsl"
 layout(local_size_x = 64) in;
-layout(std430, binding = 0) readonly buffer Indices { uint indices[]; };
-layout(std430, binding = 5) readonly buffer BeamFlux { float flux[]; };
-layout(std430, binding = 6) readonly buffer Footprints { vec4 footprints[]; };
-layout(std430, binding = 8) writeonly buffer BeamAreas { vec4 areas[]; };
-layout(location = 0) uniform int triangleCount;
+layout(std430, binding = indicesBuffer) readonly buffer Indices { uint indices[]; };
+layout(std430, binding = beamFluxBuffer) readonly buffer BeamFlux { float flux[]; };
+layout(std430, binding = footprintsBuffer) readonly buffer Footprints { vec4 footprints[]; };
+layout(std430, binding = beamAreasBuffer) writeonly buffer BeamAreas { vec4 areas[]; };
+layout(location = triangleCountLocation) uniform int triangleCount;
 
 void main() {
     uint index = gl_GlobalInvocationID.y * gl_NumWorkGroups.x * gl_WorkGroupSize.x + gl_GlobalInvocationID.x;

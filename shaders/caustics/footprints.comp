@@ -1,19 +1,20 @@
 // The beams of a light seen from a receiver's box (footprint.glsl): found once here, read by every plane.
 // TILES: of the corners of some tiles of quads only.
 // In: beam origins, directions. Out: (at, slope) in texels and texels per metre; depth of the origin, m.
+#include "interface/bindings.glsl"
 #include "caustics/footprint.glsl"
 #ifdef TILES
 #include "caustics/tile_quads.glsl"
 #endif
 layout(local_size_x = 64) in;
-layout(std430, binding = 3) readonly buffer BeamOrigins { vec4 origins[]; };
-layout(std430, binding = 4) readonly buffer BeamDirections { vec4 directions[]; };
-layout(std430, binding = 6) writeonly buffer Footprints { vec4 footprints[]; };
-layout(std430, binding = 7) writeonly buffer OriginDepths { float originDepths[]; };
+layout(std430, binding = beamOriginsBuffer) readonly buffer BeamOrigins { vec4 origins[]; };
+layout(std430, binding = beamDirectionsBuffer) readonly buffer BeamDirections { vec4 directions[]; };
+layout(std430, binding = footprintsBuffer) writeonly buffer Footprints { vec4 footprints[]; };
+layout(std430, binding = originDepthsBuffer) writeonly buffer OriginDepths { float originDepths[]; };
 #ifdef TILES
-layout(location = 0) uniform ivec2 quads;
+layout(location = quadsLocation) uniform ivec2 quads;
 #else
-layout(location = 0) uniform int vertexCount;
+layout(location = vertexCountLocation) uniform int vertexCount;
 #endif
 
 void look(int index) {

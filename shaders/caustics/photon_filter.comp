@@ -3,14 +3,15 @@
 // Texels to which no photon came but some were taken on their way lie in the shade: they stay dark and give nothing.
 // In: sums of the splats and marks of shade behind them, level map. Out: filtered sums; behind those of the texels, for each channel, what the splats
 // and what the filtered ones come to, so that resolving can give back what the mean took or added.
+#include "interface/bindings.glsl"
 #include "caustics/photon_place.glsl"
 #include "interface/flux_sums.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(std430, binding = 9) readonly buffer SplatSums { uint splats[]; };
-layout(location = 0) uniform int channels;
-layout(location = 1) uniform int taps;
-layout(location = 2) uniform float radius;   // texels
-layout(location = 3) uniform int shadeMarks; // word of `splats` where marks of shaded texels begin
+layout(std430, binding = splatSumsBuffer) readonly buffer SplatSums { uint splats[]; };
+layout(location = channelsLocation) uniform int channels;
+layout(location = tapsLocation) uniform int taps;
+layout(location = radiusLocation) uniform float radius;       // texels
+layout(location = shadeMarksLocation) uniform int shadeMarks; // word of `splats` where marks of shaded texels begin
 
 const float tau = 6.28318530717958648;
 shared vec3 before[64], after[64];

@@ -1,8 +1,9 @@
 // Where photons land on what a level map shows, and which texels around are the same surface.
+#include "interface/bindings.glsl"
 #include "levelmap/box.glsl"
 #include "optics/octahedral.glsl"
-layout(binding = 0) uniform sampler2D tangentPlanes; // RGBA32F (caustics/tangent_planes.comp)
-layout(binding = 2) uniform sampler2D normalMap;     // RG16
+layout(binding = tangentPlanesUnit) uniform sampler2D tangentPlanes; // RGBA32F (caustics/tangent_planes.comp)
+layout(binding = normalMapUnit) uniform sampler2D normalMap;         // RG16
 
 // The plane of the surface in a texel: depth at its middle, m, and how it grows by m.
 struct TexelPlane {

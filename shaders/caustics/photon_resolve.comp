@@ -1,14 +1,15 @@
 // From the summed flux of photons to irradiance; leaves the sums at zero for the next map.
 // In: flux sums, one or three channels; normal map RG16. Out, RGBA32F: W/m² on the receiver's own surface.
+#include "interface/bindings.glsl"
 #include "levelmap/box.glsl"
 #include "interface/flux_sums.glsl"
 #include "optics/octahedral.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(binding = 0) uniform sampler2D normalMap;
-layout(rgba32f, binding = 0) uniform writeonly image2D irradiance;
-layout(location = 0) uniform vec3 wattsPerStep; // over the area of a texel: W/m²
-layout(location = 1) uniform int channels;
-layout(location = 2) uniform int filtered; // 1: photon_filter.comp has been over the sums
+layout(binding = normalMapUnit) uniform sampler2D normalMap;
+layout(rgba32f, binding = irradianceImage) uniform writeonly image2D irradiance;
+layout(location = wattsPerStepLocation) uniform vec3 wattsPerStep; // over the area of a texel: W/m²
+layout(location = channelsLocation) uniform int channels;
+layout(location = filteredLocation) uniform int filtered; // 1: photon_filter.comp has been over the sums
 
 float wholeSum(int index) { return float(sums[2 * index]) + 4294967296.0 * float(sums[2 * index + 1]); }
 

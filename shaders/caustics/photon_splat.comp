@@ -5,6 +5,7 @@
 // (occluders.glsl), it is left to a second pass, which asks for each texel; as is a splat of very many texels.
 // In: beams, tangent planes, occluders. Out: flux sums, list of the photons left. SHADED: the second pass, over that list.
 // VEILS: some occluders let part of the light through.
+#include "interface/bindings.glsl"
 #include "water/photon_ray.glsl"
 #include "caustics/splat_shade.glsl"
 #include "water/surface_shadow.glsl"
@@ -14,32 +15,17 @@ layout(local_size_x = 32) in;
 #else
 layout(local_size_x = 64) in;
 #endif
-layout(location = 5) uniform float stepsPerFlux;
-layout(location = 6) uniform vec3 extinctionPerMetre;
-layout(location = 7) uniform int channels;       // 1 or 3
-layout(location = 8) uniform vec4 splat;         // a and b of a + b / d in texels; the least and the greatest size
-layout(location = 9) uniform int testSurfaceShadow;
-layout(location = 10) uniform int testOcclusion; // 0: nothing can be before the receiver
-layout(location = 11) uniform int receiverNumber;
-layout(location = 12) uniform int shadeMarks;    // word of `sums` where marks of shaded texels begin, one each; 0: none
+layout(location = stepsPerFluxLocation) uniform float stepsPerFlux;
+layout(location = extinctionPerMetreLocation) uniform vec3 extinctionPerMetre;
+layout(location = channelsLocation) uniform int channels; // 1 or 3
+layout(location = splatSizesLocation) uniform vec4 splatSizes; // a and b of a + b / d in texels; the least and the greatest size
+layout(location = testSurfaceShadowLocation) uniform int testSurfaceShadow;
+layout(location = testOcclusionLocation) uniform int testOcclusion; // 0: nothing can be before the receiver
+layout(location = receiverNumberLocation) uniform int receiverNumber;
+layout(location = shadeMarksLocation) uniform int shadeMarks; // word of `sums` where marks of shaded texels begin, one each; 0: none
 
-layout(location = 13) uniform int firstPhoton;   // of the first pass: subdivision² a cell
-layout(location = 14) uniform int endPhoton;
-// Photons that something may be in the way of, or whose splat has many texels: where they land and what they may meet.
-struct LeftPhoton {
-    int number;
-    float metres;
-    int texel;   // row by row
-    float parts, apart; // of its splat
-    int found;          // triangles; < 0: more than these
-    int spare[2];
-    int triangles[mostShadows];
-};
-layout(std430, binding = 11) buffer PhotonsLeft {
-    uint leftGroups[3]; // to dispatch: a work group a photon
-    uint leftCount;
-    LeftPhoton left[]; // room for all of a pass
-};
+layout(location = firstPhotonLocation) uniform int firstPhoton; // of the first pass: subdivision² a cell
+layout(location = endPhotonLocation) uniform int endPhoton;
 
 // Texels of a splat that one invocation sees to.
 const int mostAlone = 1024;
@@ -115,7 +101,7 @@ Landing byMarch(Ray ray) {
 }
 
 Splat splatOf(Ray ray, Landing landing) {
-    float size = clamp(splat.x + splat.y / max(landing.metres, 1e-9), splat.z, splat.w);
+    float size = clamp(splatSizes.x + splatSizes.y / max(landing.metres, 1e-9), splatSizes.z, splatSizes.w);
     return splatAt((ray.origin.xy + landing.metres * ray.direction.xy) / boxExtent.w, size, landing.texel);
 }
 

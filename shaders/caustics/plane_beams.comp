@@ -4,11 +4,12 @@
 // texels (levelmap/PlaneDepths.h), normal map; with PATHS, for what happens to light on its way, position map and
 // surface shadow. Out: flux sums, one channel or three (COLOURED), of irradiance times the area of a texel, as if the
 // whole mean light reached it. LARGE: the tiles of quads that touch many texels, which the pass over all quads left.
+#include "interface/bindings.glsl"
 #include "caustics/beam_limits.glsl"
 #include "levelmap/depth_pyramid.glsl"
 #include "caustics/footprint.glsl"
 #include "caustics/beam_deposit.glsl"
-#include "interface/large_beams.glsl"
+#include "caustics/large_beams.glsl"
 #include "optics/octahedral.glsl"
 #include "optics/optics.glsl"
 #include "caustics/texel_coverage.glsl"
@@ -17,21 +18,21 @@
 #endif
 #ifdef PATHS
 #include "water/surface_shadow.glsl"
-layout(binding = 2) uniform sampler2D positionMap; // RG32F
+layout(binding = positionMapUnit) uniform sampler2D positionMap; // RG32F
 #endif
 layout(local_size_x = 64) in;
 const int settled = -1;     // of a tile: the quad was walked as one slab
 const vec2 everyDepth = vec2(-1e30, 1e30);
-layout(binding = 0) uniform sampler2D planeDepths; // RGBA32F, m
-layout(binding = 1) uniform sampler2D normalMap;   // RG16
-layout(std430, binding = 3) readonly buffer BeamOrigins { vec4 origins[]; };
-layout(std430, binding = 4) readonly buffer BeamDirections { vec4 directions[]; };
-layout(std430, binding = 5) readonly buffer BeamFlux { float flux[]; };
-layout(location = 0) uniform ivec2 quads;          // of the water's grid
-layout(location = 1) uniform float stepsPerFlux;   // of the sums
-layout(location = 2) uniform vec2 depthLimits;     // planes outside of these are left out, m
-layout(location = 3) uniform vec3 extinctionPerMetre;
-layout(location = 4) uniform int testSurfaceShadow; // 0: nothing stands out of the water
+layout(binding = depthPyramidUnit) uniform sampler2D planeDepths; // RGBA32F, m
+layout(binding = normalMapUnit) uniform sampler2D normalMap;      // RG16
+layout(std430, binding = beamOriginsBuffer) readonly buffer BeamOrigins { vec4 origins[]; };
+layout(std430, binding = beamDirectionsBuffer) readonly buffer BeamDirections { vec4 directions[]; };
+layout(std430, binding = beamFluxBuffer) readonly buffer BeamFlux { float flux[]; };
+layout(location = quadsLocation) uniform ivec2 quads;               // of the water's grid
+layout(location = stepsPerFluxLocation) uniform float stepsPerFlux; // of the sums
+layout(location = depthLimitsLocation) uniform vec2 depthLimits;    // planes outside of these are left out, m
+layout(location = extinctionPerMetreLocation) uniform vec3 extinctionPerMetre;
+layout(location = testSurfaceShadowLocation) uniform int testSurfaceShadow; // 0: nothing stands out of the water
 
 // The corners of a quad: p and q the ends of its diagonal, r and s beside it. Beams are r p q and q p s.
 struct Quad {

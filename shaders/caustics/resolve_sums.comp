@@ -1,16 +1,17 @@
 // From summed flux to irradiance; leaves the sums at zero for the next map.
 // In: flux sums, one or three channels; normal map RG16; tangent planes, which say where no receiver is: beams at its
 // edge leave light there. Out, RGBA32F: W/m² on the receiver's own surface.
+#include "interface/bindings.glsl"
 #include "levelmap/box.glsl"
 #include "interface/flux_sums.glsl"
 #include "optics/octahedral.glsl"
 #include "caustics/rim.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(binding = 0) uniform sampler2D normalMap;
-layout(binding = 1) uniform sampler2D tangentPlanes; // RGBA32F
-layout(rgba32f, binding = 0) uniform writeonly image2D irradiance;
-layout(location = 0) uniform vec3 wattsPerStep; // over the area of a texel: W/m²
-layout(location = 1) uniform int channels;
+layout(binding = normalMapUnit) uniform sampler2D normalMap;
+layout(binding = tangentPlanesUnit) uniform sampler2D tangentPlanes; // RGBA32F
+layout(rgba32f, binding = irradianceImage) uniform writeonly image2D irradiance;
+layout(location = wattsPerStepLocation) uniform vec3 wattsPerStep; // over the area of a texel: W/m²
+layout(location = channelsLocation) uniform int channels;
 
 void main() {
     ivec2 texel = ivec2(gl_GlobalInvocationID.xy);

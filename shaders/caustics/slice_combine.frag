@@ -1,12 +1,13 @@
 // The slices as one: each texel is that of the topmost slice that has surface there, which is what the light sees first.
 // Out 0, RGBA32F: irradiance, W/m². Out 1 to 3: position, diffuse and normal map as in level_map.frag.
+#include "interface/bindings.glsl"
 #include "caustics/slice.glsl"
-layout(binding = 4) uniform sampler2DArray sliceCaustics;
-layout(location = 0) uniform int sliceCount;
-layout(location = 0) out vec4 outIrradiance;
-layout(location = 1) out vec2 outPosition;
-layout(location = 2) out vec4 outDiffuse;
-layout(location = 3) out vec2 outNormal;
+layout(binding = sliceCausticsUnit) uniform sampler2DArray sliceCaustics;
+layout(location = sliceCountLocation) uniform int sliceCount;
+layout(location = irradianceTarget) out vec4 outIrradiance;
+layout(location = positionTarget) out vec2 outPosition;
+layout(location = diffuseTarget) out vec4 outDiffuse;
+layout(location = normalTarget) out vec2 outNormal;
 
 void main() {
     ivec3 texel = ivec3(gl_FragCoord.xy, 0);

@@ -1,8 +1,9 @@
 // A receiver's triangles that reach into the slab of one plane.
+#include "interface/bindings.glsl"
 #include "levelmap/box.glsl"
 #include "levelmap/face.glsl"
 #include "optics/planes.glsl"
-layout(location = 2) uniform int planeNumber;
+layout(location = planeNumberLocation) uniform int planeNumber;
 
 // Never drops a fragment that the slab takes: depths are compared with more slack than 64 times their rounding.
 bool reachesSlab() {

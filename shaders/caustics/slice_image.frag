@@ -1,12 +1,13 @@
 // The part of a receiver that is nearest to one plane (thesis 5.2.1, figure 5-2): the sides of the slab are half-way to
 // the neighbours, decided by index as in the level map.
 // Out 0 to 2: as in level_map.frag.
+#include "interface/bindings.glsl"
 #include "levelmap/level_map_texel.glsl"
 #include "optics/octahedral.glsl"
-layout(location = 2) uniform int planeNumber;
-layout(location = 0) out vec2 outPosition;
-layout(location = 1) out vec4 outDiffuse;
-layout(location = 2) out vec2 outNormal;
+layout(location = planeNumberLocation) uniform int planeNumber;
+layout(location = positionTarget) out vec2 outPosition;
+layout(location = diffuseTarget) out vec4 outDiffuse;
+layout(location = normalTarget) out vec2 outNormal;
 
 void main() {
     if (!isInMap()) discard;

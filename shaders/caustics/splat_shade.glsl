@@ -1,5 +1,6 @@
 // A photon's splat, and which of its texels are shaded: the photon stands for parallel rays to all of them. Along parallel
 // rays a triangle's shade on the plane of the splat is a triangle, so its edges are asked in the map, texel by texel.
+#include "interface/photons_left.glsl"
 #include "occlusion/occluders.glsl"
 #include "caustics/photon_place.glsl"
 
@@ -99,7 +100,6 @@ bool isIn(Shadow shadow, vec2 at, float below) {
 }
 
 // What is found once for all texels: the shadows of a few triangles, or nothing where there are too many.
-const int mostShadows = 8;
 Shadow shadows[mostShadows];
 int shadowCount; // < 0: each texel's ray is followed alone
 

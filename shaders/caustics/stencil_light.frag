@@ -1,13 +1,14 @@
 // The receiver lit by parallel light as flat water lets it through, with its shadows: what the caustic image is
 // multiplied with (Iwasaki et al. 2002, 4.3.1 and 5). Of a lamp, the light that flat water would send to the texel.
 // Out: share of W/m² across the light that its surface has, [0, ...].
+#include "interface/bindings.glsl"
 #include "levelmap/box.glsl"
 #include "water/light.glsl"
 #include "optics/octahedral.glsl"
-layout(binding = 0) uniform sampler2D diffuseMap; // alpha: share of the mean light
-layout(binding = 1) uniform sampler2D positionMap; // RG32F
-layout(binding = 2) uniform sampler2D normalMap;  // RG16
-layout(location = 0) out vec4 share;
+layout(binding = diffuseMapUnit) uniform sampler2D diffuseMap;   // alpha: share of the mean light
+layout(binding = positionMapUnit) uniform sampler2D positionMap; // RG32F
+layout(binding = normalMapUnit) uniform sampler2D normalMap;     // RG16
+out vec4 share;
 
 void main() {
     ivec2 texel = ivec2(gl_FragCoord.xy);

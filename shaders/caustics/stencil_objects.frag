@@ -1,7 +1,8 @@
 // The depths of what the light sees of a receiver, as the volumes' own (Iwasaki et al. 2002, 4.3.1, step 1). A texel
 // keeps clear of the sample planes: its index says which sub-volume it is in.
+#include "interface/bindings.glsl"
 #include "caustics/sub_volumes.glsl"
-layout(binding = 1) uniform sampler2D positionMap; // RG32F
+layout(binding = positionMapUnit) uniform sampler2D positionMap; // RG32F
 
 void main() {
     vec2 position = texelFetch(positionMap, ivec2(gl_FragCoord.xy), 0).xy;

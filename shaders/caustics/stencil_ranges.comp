@@ -2,14 +2,15 @@
 // object's bounding box; here those that meet the depths of what lies within their own.
 // In: indices, footprints, areas, plane pyramid. Out, a beam: number of its first sub-volume, and how many; of the
 // draw, the instances: the most that a beam has.
+#include "interface/bindings.glsl"
+#include "interface/draw_command.glsl"
 #include "caustics/sub_volumes.glsl"
 layout(local_size_x = 64) in;
-layout(std430, binding = 0) readonly buffer Indices { uint indices[]; };
-layout(std430, binding = 6) readonly buffer Footprints { vec4 footprints[]; };
-layout(std430, binding = 8) readonly buffer BeamAreas { vec4 areas[]; };
-layout(std430, binding = 9) writeonly buffer Ranges { ivec2 ranges[]; };
-layout(std430, binding = 10) buffer Draw { uint points, instances, firstPoint, firstInstance; };
-layout(location = 0) uniform int beamCount;
+layout(std430, binding = indicesBuffer) readonly buffer Indices { uint indices[]; };
+layout(std430, binding = footprintsBuffer) readonly buffer Footprints { vec4 footprints[]; };
+layout(std430, binding = beamAreasBuffer) readonly buffer BeamAreas { vec4 areas[]; };
+layout(std430, binding = rangesBuffer) writeonly buffer Ranges { ivec2 ranges[]; };
+layout(location = beamCountLocation) uniform int beamCount;
 
 // Asked for again within what was found until it settles.
 ivec2 subVolumesMet(vec4 a, vec4 b, vec4 c) {

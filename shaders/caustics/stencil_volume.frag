@@ -2,14 +2,15 @@
 // let them; back faces mark the stencil only. In place of the paper's shading from sample plane to sample plane, the
 // flux ratio is that at the texel's own depth, which a map has.
 // Out, RGBA32F, added: W/m² across the light.
+#include "interface/bindings.glsl"
 #include "caustics/footprint.glsl"
 #include "water/surface_shadow.glsl"
-layout(binding = 1) uniform sampler2D positionMap; // RG32F
-layout(std430, binding = 8) readonly buffer BeamAreas { vec4 areas[]; };
-layout(location = 0) uniform vec3 strength; // of the light, W per unit of flux
-layout(location = 1) uniform vec3 extinctionPerMetre;
-layout(location = 2) uniform int testSurfaceShadow; // 0: nothing stands out of the water
-layout(location = 0) out vec4 irradiance;
+layout(binding = positionMapUnit) uniform sampler2D positionMap; // RG32F
+layout(std430, binding = beamAreasBuffer) readonly buffer BeamAreas { vec4 areas[]; };
+layout(location = strengthLocation) uniform vec3 strength; // of the light, W per unit of flux
+layout(location = extinctionPerMetreLocation) uniform vec3 extinctionPerMetre;
+layout(location = testSurfaceShadowLocation) uniform int testSurfaceShadow; // 0: nothing stands out of the water
+out vec4 irradiance;
 in vec2 slope;
 in float startDepth;
 flat in int beam;

@@ -1,13 +1,14 @@
 // The faces of one sub-volume as seen along the light, back faces before front faces (Iwasaki et al. 2002, 4.3.1, steps
 // 2 and 3). A ray of that view must enter and leave what is tested once, so a sub-volume is drawn as the three
 // tetrahedra of the paper's shafts (3.2), and is cut where its beam turns inside out, which would lose a focus.
+#include "interface/bindings.glsl"
 #include "caustics/sub_volumes.glsl"
 layout(points) in;
 layout(triangle_strip, max_vertices = 108) out; // 3 parts, 3 tetrahedra, 4 faces
-layout(std430, binding = 0) readonly buffer Indices { uint indices[]; };
-layout(std430, binding = 6) readonly buffer Footprints { vec4 footprints[]; };
-layout(std430, binding = 7) readonly buffer OriginDepths { float originDepths[]; };
-layout(std430, binding = 9) readonly buffer Ranges { ivec2 ranges[]; };
+layout(std430, binding = indicesBuffer) readonly buffer Indices { uint indices[]; };
+layout(std430, binding = footprintsBuffer) readonly buffer Footprints { vec4 footprints[]; };
+layout(std430, binding = originDepthsBuffer) readonly buffer OriginDepths { float originDepths[]; };
+layout(std430, binding = rangesBuffer) readonly buffer Ranges { ivec2 ranges[]; };
 in VolumeData {
     flat int beam;
     flat int number;

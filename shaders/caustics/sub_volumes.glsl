@@ -1,10 +1,11 @@
 // The sub-volumes that sample planes cut illumination volumes into (Iwasaki et al. 2002, 4.3.1). There is one to each
 // reference plane of a receiver's box, and the sample planes lie half-way between those: what a sub-volume may hold are
 // the texels whose index is its number.
+#include "interface/bindings.glsl"
 #include "caustics/footprint.glsl"
 #include "levelmap/depth_pyramid.glsl"
 #include "optics/planes.glsl"
-layout(binding = 0) uniform sampler2D planeDepths; // RGBA32F (levelmap/PlaneDepths.h)
+layout(binding = depthPyramidUnit) uniform sampler2D planeDepths; // RGBA32F (levelmap/PlaneDepths.h)
 
 // Depths of the sample planes above and below sub-volume `number`, m. The outermost lie a little outside of the box.
 vec2 subVolume(int number) {

@@ -5,6 +5,7 @@
 // Out 1, RGBA32F, the finest level of the depth pyramid: least and greatest depth of the plane within the texel, less
 //        what the receiver leans (boxShear), m (1e30, -1e30: no receiver); -1 at a rim, else 0; 0.
 // RIMS: something may hide part of a texel; else all texels show one surface each.
+#include "interface/bindings.glsl"
 #include "levelmap/box.glsl"
 #include "optics/octahedral.glsl"
 #include "caustics/rim.glsl"
@@ -12,13 +13,13 @@
 #include "water/light.glsl"
 #include "occlusion/occluders.glsl"
 #include "levelmap/same_surface.glsl"
-layout(location = 0) uniform int receiverNumber;
+layout(location = receiverNumberLocation) uniform int receiverNumber;
 #endif
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(binding = 0) uniform sampler2D positionMap;
-layout(binding = 2) uniform sampler2D normalMap;
-layout(rgba32f, binding = 0) uniform writeonly image2D tangentPlanes;
-layout(rgba32f, binding = 1) uniform writeonly image2D depthRange;
+layout(binding = positionMapUnit) uniform sampler2D positionMap;
+layout(binding = normalMapUnit) uniform sampler2D normalMap;
+layout(rgba32f, binding = tangentPlanesImage) uniform writeonly image2D tangentPlanes;
+layout(rgba32f, binding = depthPyramidImage) uniform writeonly image2D depthRange;
 
 // A face steeper than this against the map has its light from its neighbours: a texel then spans 1000 of its widths.
 const float leastFacing = 1e-3;

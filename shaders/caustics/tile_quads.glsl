@@ -1,8 +1,9 @@
 // The quad of an invocation in a pass with one work group a tile of quads: over all tiles of the grid, or over those that
 // cull_tiles.comp has kept.
+#include "interface/bindings.glsl"
 #include "caustics/beam_tiles.glsl"
 #include "interface/kept_tiles.glsl"
-layout(location = 12) uniform int culled; // 0: all tiles
+layout(location = culledLocation) uniform int culled; // 0: all tiles
 
 // The tile of this work group, -1 for none.
 int workTile() {

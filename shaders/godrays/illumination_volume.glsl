@@ -1,14 +1,15 @@
 // Illumination volumes: what lies between three neighbouring rays from the surface, and how it is cut along its length
 // (Iwasaki, Dobashi and Nishita 2002, 3.1 and 3.2).
+#include "interface/bindings.glsl"
 #include "water/cross_section.glsl"
 #include "godrays/godray_frame.glsl"
 #include "water/light.glsl"
 #include "optics/shaft_cuts.glsl"
-layout(std430, binding = 6) readonly buffer Rays { vec4 rays[]; };
-layout(std430, binding = 7) readonly buffer VolumeFlux { float volumeFlux[]; };
-layout(location = 0) uniform ivec2 across; // cells
-layout(location = 1) uniform int cuts;     // of each volume by loss; 0: as many as it needs
-layout(location = 2) uniform vec3 lost;    // 1/m: what pieces grow with, what counts; share of the light that may be too much
+layout(std430, binding = volumeRaysBuffer) readonly buffer Rays { vec4 rays[]; };
+layout(std430, binding = volumeFluxBuffer) readonly buffer VolumeFlux { float volumeFlux[]; };
+layout(location = acrossLocation) uniform ivec2 across; // cells
+layout(location = cutsLocation) uniform int cuts; // of each volume by loss; 0: as many as it needs
+layout(location = lostLocation) uniform vec3 lost; // 1/m: what pieces grow with, what counts; share of the light that may be too much
 
 const int mostCuts = 256;
 

@@ -2,15 +2,16 @@
 // meet, and the light between every three. A thread has one corner, and the two triangles of the cell that begins there.
 // In: beams, the scene depth map of the light. Out, two a corner: from (m from the scene's origin; w: metres), direction
 // (unit). Out, one a triangle: flux, in the unit of beams.
+#include "interface/bindings.glsl"
 #include "water/photon_ray.glsl"
 #include "godrays/ray_hit.glsl"
 #include "water/surface_shadow.glsl"
 layout(local_size_x = 64) in;
-layout(std430, binding = 6) writeonly buffer Rays { vec4 rays[]; };
-layout(std430, binding = 7) writeonly buffer VolumeFlux { float volumeFlux[]; };
-layout(location = 5) uniform float reach;    // m, for light that meets nothing
-layout(location = 6) uniform float farthest; // m of water below which nothing lies
-layout(location = 7) uniform int testSurfaceShadow;
+layout(std430, binding = volumeRaysBuffer) writeonly buffer Rays { vec4 rays[]; };
+layout(std430, binding = volumeFluxBuffer) writeonly buffer VolumeFlux { float volumeFlux[]; };
+layout(location = reachLocation) uniform float reach;       // m, for light that meets nothing
+layout(location = farthestLocation) uniform float farthest; // m of water below which nothing lies
+layout(location = testSurfaceShadowLocation) uniform int testSurfaceShadow;
 
 // Three samples, each for a third.
 float fluxThrough(vec2 a, vec2 b, vec2 c) {

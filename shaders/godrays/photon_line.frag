@@ -7,7 +7,7 @@
 #include "optics/optics.glsl"
 flat in vec4 clipFrom, clipTo, lineFrom, lineTo;
 flat in vec2 range;
-layout(location = 0) out vec4 radiance;
+out vec4 radiance;
 
 void main() {
     vec2 from = pixelOf(clipFrom), to = pixelOf(clipTo);

@@ -1,6 +1,7 @@
 // A line of light as a strip of two triangles, as wide as it is seen; the part behind the camera is cut off.
+#include "interface/bindings.glsl"
 #include "godrays/line_width.glsl"
-layout(std430, binding = 6) readonly buffer Lines { vec4 lines[]; };
+layout(std430, binding = photonLinesBuffer) readonly buffer Lines { vec4 lines[]; };
 flat out vec4 clipFrom, clipTo; // ends of what is left
 flat out vec4 lineFrom, lineTo; // as in photon_lines.comp
 flat out vec2 range;            // which part of the line is left, [0, 1]

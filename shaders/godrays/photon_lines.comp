@@ -2,14 +2,15 @@
 // cell of the photon grid and cuts it up.
 // In: beams, the scene depth map of the light. Out, two a line: from (m from the scene's origin; w: flux, in the unit of
 // beams), to (w: metres).
+#include "interface/bindings.glsl"
 #include "water/photon_ray.glsl"
 #include "godrays/ray_hit.glsl"
 #include "water/surface_shadow.glsl"
 layout(local_size_x = 64) in;
-layout(std430, binding = 6) writeonly buffer Lines { vec4 lines[]; };
-layout(location = 5) uniform float reach;    // m, for light that meets nothing
-layout(location = 6) uniform float farthest; // m of water below which nothing lies
-layout(location = 7) uniform int testSurfaceShadow;
+layout(std430, binding = photonLinesBuffer) writeonly buffer Lines { vec4 lines[]; };
+layout(location = reachLocation) uniform float reach;       // m, for light that meets nothing
+layout(location = farthestLocation) uniform float farthest; // m of water below which nothing lies
+layout(location = testSurfaceShadowLocation) uniform int testSurfaceShadow;
 
 void main() {
     int cell = int(gl_GlobalInvocationID.y * gl_NumWorkGroups.x * gl_WorkGroupSize.x + gl_GlobalInvocationID.x);

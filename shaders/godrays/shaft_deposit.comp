@@ -2,17 +2,19 @@
 // its middle, what it would send to the camera of each metre of a view ray there.
 // In: beams, the scene depth map of the light. Out: sums of 1/sr (directional) or 1/m² (point) before strength, the water's
 // scattering and extinction.
+#include "interface/bindings.glsl"
 #include "interface/flux_sums.glsl"
 #include "godrays/godray_phase.glsl"
 #include "water/photon_ray.glsl"
 #include "levelmap/scene_depth.glsl"
-#include "interface/shaft_gaps.glsl"
+#include "interface/shaft_gap.glsl"
 #include "water/surface_shadow.glsl"
+layout(std430, binding = gapsBuffer) readonly buffer Gaps { Gap gaps[]; };
 layout(local_size_x = 64) in;
-layout(location = 5) uniform ivec2 cellsAcross; // of a layer
-layout(location = 6) uniform int gapCount;
-layout(location = 7) uniform float steps;       // of the sums
-layout(location = 8) uniform int testSurfaceShadow;
+layout(location = cellsAcrossLocation) uniform ivec2 cellsAcross; // of a layer
+layout(location = gapCountLocation) uniform int gapCount;
+layout(location = stepsLocation) uniform float steps; // of the sums
+layout(location = testSurfaceShadowLocation) uniform int testSurfaceShadow;
 
 // Whether the camera may see something within `around` metres of a point.
 bool mayBeSeen(vec3 point, float around) {

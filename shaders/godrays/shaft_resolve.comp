@@ -1,11 +1,12 @@
 // From integer sums to a texture that is filtered, and zero again for the next time.
 // Out: R32F, a layer for each gap, in the unit of shaft_deposit.comp.
+#include "interface/bindings.glsl"
 #include "interface/flux_sums.glsl"
 layout(local_size_x = 64) in;
-layout(binding = 0, r32f) uniform writeonly image2DArray lit;
-layout(location = 0) uniform ivec2 cellsAcross;
-layout(location = 1) uniform int gapCount;
-layout(location = 2) uniform float steps; // of the sums
+layout(binding = litImage, r32f) uniform writeonly image2DArray lit;
+layout(location = cellsAcrossLocation) uniform ivec2 cellsAcross;
+layout(location = gapCountLocation) uniform int gapCount;
+layout(location = stepsLocation) uniform float steps; // of the sums
 
 void main() {
     int index = int(gl_GlobalInvocationID.y * gl_NumWorkGroups.x * gl_WorkGroupSize.x + gl_GlobalInvocationID.x);

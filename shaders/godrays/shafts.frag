@@ -2,20 +2,22 @@
 // what would be left of an even light.
 // In: layers of lit water (shaft_deposit.comp), depth of the view, the scene depth map of the light.
 // Out, RGBA32F, added: W/(m² sr).
+#include "interface/bindings.glsl"
 #include "godrays/godray_phase.glsl"
 #include "levelmap/scene_depth.glsl"
-#include "interface/shaft_gaps.glsl"
-layout(binding = 0) uniform sampler2DArray lit;
-layout(binding = 2) uniform sampler2D viewDepth; // 1 at the near plane, 0 far away
-layout(location = 0) uniform int evenGaps;       // that are `gapHeight` thick
-layout(location = 1) uniform int gapCount;
-layout(location = 2) uniform float gapHeight;    // m
-layout(location = 3) uniform float gapGrowth;    // of one below those to the next
-layout(location = 4) uniform int stepCount;
-layout(location = 5) uniform float near;         // m
-layout(location = 6) uniform float meanLost;     // 1/m, of the channels
-layout(location = 7) uniform vec4 fan;           // x, z that light spreads from; 1 over its height over the level; slope at most
-layout(location = 0) out vec4 radiance;
+#include "interface/shaft_gap.glsl"
+layout(std430, binding = gapsBuffer) readonly buffer Gaps { Gap gaps[]; };
+layout(binding = litUnit) uniform sampler2DArray lit;
+layout(binding = viewDepthUnit) uniform sampler2D viewDepth; // 1 at the near plane, 0 far away
+layout(location = evenGapsLocation) uniform int evenGaps;          // that are `gapHeight` thick
+layout(location = gapCountLocation) uniform int gapCount;
+layout(location = gapHeightLocation) uniform float gapHeight; // m
+layout(location = gapGrowthLocation) uniform float gapGrowth; // of one below those to the next
+layout(location = stepCountLocation) uniform int stepCount;
+layout(location = nearLocation) uniform float near; // m
+layout(location = meanLostLocation) uniform float meanLost; // 1/m, of the channels
+layout(location = fanLocation) uniform vec4 fan; // x, z that light spreads from; 1 over its height over the level; slope at most
+out vec4 radiance;
 
 int gapOf(float depth) {
     float i = depth / gapHeight, even = float(evenGaps);

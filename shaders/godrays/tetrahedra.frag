@@ -2,15 +2,16 @@
 // leaves, over the way between (Iwasaki, Dobashi and Nishita 2002, eq. 5), with eq. 4 and 6 at both in every pixel. What
 // ends the view ends it here too.
 // In: depth of the view; the scene depth map of the light. Out, RGBA32F, added: W/(m² sr).
+#include "interface/bindings.glsl"
 #include "godrays/godray_phase.glsl"
 #include "levelmap/scene_depth.glsl"
 #include "optics/tetrahedron.glsl"
-layout(binding = 2) uniform sampler2D viewDepth; // 1 at the near plane, 0 far away
-layout(location = 8) uniform float near;         // m
+layout(binding = viewDepthUnit) uniform sampler2D viewDepth; // 1 at the near plane, 0 far away
+layout(location = nearLocation) uniform float near;                // m
 noperspective in vec3 entering, leaving;
 flat in vec4 light;
 flat in vec3 close;
-layout(location = 0) out vec4 radiance;
+out vec4 radiance;
 
 // Of the way between two places on the view ray through the pixel, that light may reach, by the mean light.
 float litShare(vec2 aside, float from, float to) {

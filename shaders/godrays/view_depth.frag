@@ -1,6 +1,6 @@
 // How far what is no hole lies: 1 over metres along the view, in alpha.
 #include "levelmap/receiver_fragment.glsl"
-layout(location = 0) out vec4 outFar;
+out vec4 outFar;
 
 void main() {
     if (isHole()) discard;

@@ -1,4 +1,4 @@
 // 1 over metres along the view, in alpha.
-layout(location = 0) out vec4 outFar;
+out vec4 outFar;
 
 void main() { outFar = vec4(0.0, 0.0, 0.0, gl_FragCoord.w); }

@@ -1,5 +1,6 @@
 // The water's surface as the camera sees it, for its depth alone.
+#include "interface/bindings.glsl"
 #include "godrays/godray_frame.glsl"
-layout(location = 0) in vec4 inPosition; // m from the scene's origin
+layout(location = positionAttribute) in vec4 inPosition; // m from the scene's origin
 
 void main() { gl_Position = viewProjection * vec4(inPosition.xyz, 1.0); }

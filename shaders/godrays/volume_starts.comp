@@ -1,7 +1,8 @@
 // From counts to where each volume's pieces start: one group, in which each thread has a run of volumes.
+#include "interface/bindings.glsl"
 #include "interface/volume_starts.glsl"
 layout(local_size_x = 256) in;
-layout(location = 0) uniform int volumes;
+layout(location = volumesLocation) uniform int volumes;
 shared uint sums[256];
 
 void main() {

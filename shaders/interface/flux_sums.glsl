@@ -1,6 +1,7 @@
 // Sums of flux in integers: the same bits whatever the order. 64 bits a texel and channel as two words, the upper one
 // touched only by a carry; in steps so small that rounding is lost in a float.
-layout(std430, binding = 8) buffer FluxSums { uint sums[]; };
+#include "interface/bindings.glsl"
+layout(std430, binding = fluxSumsBuffer) buffer FluxSums { uint sums[]; };
 
 // Adds `amount` steps to sum `index`.
 void addFlux(int index, float amount) {

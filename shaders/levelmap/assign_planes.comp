@@ -1,17 +1,13 @@
 // Gives each texel of a position map (RG32F, in place) the nearest plane of the sub-box that its depth lies in.
 // In: sub-boxes from the top down (levelmap/ReferencePlanes.h).
+#include "interface/bindings.glsl"
+#include "interface/sub_box.glsl"
 #include "levelmap/box.glsl"
 #include "optics/planes.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(rg32f, binding = 0) uniform image2D positionMap;
-struct SubBox {
-    float top;    // m
-    float height; // m
-    int firstPlane;
-    int planeCount;
-};
-layout(std430, binding = 0) readonly buffer SubBoxes { SubBox boxes[]; };
-layout(location = 0) uniform int boxCount;
+layout(rg32f, binding = positionMapImage) uniform image2D positionMap;
+layout(std430, binding = subBoxesBuffer) readonly buffer SubBoxes { SubBox boxes[]; };
+layout(location = boxCountLocation) uniform int boxCount;
 
 void main() {
     ivec2 texel = ivec2(gl_GlobalInvocationID.xy);

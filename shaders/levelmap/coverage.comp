@@ -1,17 +1,18 @@
 // How much of each texel of a level map the surface at its middle covers.
 // In: R8, places that show that surface (coverage.frag); position map. Out, R32F: their share of the texel's places, at least
 // half a place; 0 where there is no receiver.
+#include "interface/bindings.glsl"
 #include "levelmap/box.glsl"
 #include "levelmap/coverage_places.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(binding = 0) uniform sampler2D covered;
-layout(binding = 5) uniform sampler2D positionMap; // RG32F (level_map.frag)
-layout(r32f, binding = 0) uniform writeonly image2D coverage;
-layout(location = 2) uniform float places; // along a texel's side
+layout(binding = coveredUnit) uniform sampler2D covered;
+layout(binding = positionMapUnit) uniform sampler2D positionMap; // RG32F (level_map.frag)
+layout(r32f, binding = coverageImage) uniform writeonly image2D coverage;
+layout(location = placesLocation) uniform float places; // along a texel's side
 
 float shareOf(ivec2 texel) {
     vec2 at = leant(vec2(texel));
-    ivec2 low = ivec2(floor(places * (at - vec2(0.0, lean)))), high = ivec2(ceil(places * (at + vec2(1.0 + lean, 1.0))));
+    ivec2 low = ivec2(floor(places * (at - vec2(0.0, coverageLean)))), high = ivec2(ceil(places * (at + vec2(1.0 + coverageLean, 1.0))));
     float all = 0.0, shown = 0.0;
     for (int y = low.y; y < high.y; ++y)
         for (int x = low.x; x < high.x; ++x) {

@@ -1,11 +1,12 @@
 // Whether a place of a level map shows the same surface as its texel's middle.
 // In: position and normal map. Out, R8: 1 (cleared to 0: no receiver).
+#include "interface/bindings.glsl"
 #include "levelmap/level_map_texel.glsl"
 #include "optics/octahedral.glsl"
 #include "levelmap/same_surface.glsl"
-layout(binding = 5) uniform sampler2D positionMap; // RG32F (level_map.frag)
-layout(binding = 6) uniform sampler2D normalMap;   // RG16
-layout(location = 0) out float outCovered;
+layout(binding = positionMapUnit) uniform sampler2D positionMap; // RG32F (level_map.frag)
+layout(binding = normalMapUnit) uniform sampler2D normalMap;     // RG16
+out float outCovered;
 
 // Whether the face at `local` lies where the one at the texel's middle goes on to, give or take what a crease in between
 // can make. What else a texel holds, behind a rim or beyond a crease, has no light of its own in the map.

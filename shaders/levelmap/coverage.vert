@@ -1,9 +1,10 @@
 // A receiver as a level map sees it, on the grid of places (coverage_places.glsl).
+#include "interface/bindings.glsl"
 #include "levelmap/box.glsl"
 #include "levelmap/coverage_places.glsl"
 #include "levelmap/receiver_vertex.glsl"
-layout(location = 2) uniform float places;   // along a texel's side
-layout(location = 3) uniform vec2 gridPlaces; // along u and w
+layout(location = placesLocation) uniform float places;        // along a texel's side
+layout(location = gridPlacesLocation) uniform vec2 gridPlaces; // along u and w
 
 void main() {
     passVertex();

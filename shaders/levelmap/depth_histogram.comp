@@ -1,10 +1,11 @@
 // Counts the texels of each depth level or reference plane (thesis 4.7.2, depth profiling).
 // In: position map, RG32F (level_map.frag). Out: one count a bin. Texels that take no light do not count.
+#include "interface/bindings.glsl"
 #include "levelmap/box.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(binding = 0) uniform sampler2D positionMap;
-layout(std430, binding = 0) buffer Histogram { uint counts[]; };
-layout(location = 0) uniform int depthLevels; // bins over the box's height; 0: a bin for each reference plane
+layout(binding = positionMapUnit) uniform sampler2D positionMap;
+layout(std430, binding = histogramBuffer) buffer Histogram { uint counts[]; };
+layout(location = depthLevelsLocation) uniform int depthLevels; // bins over the box's height; 0: a bin for each reference plane
 
 void main() {
     ivec2 texel = ivec2(gl_GlobalInvocationID.xy);

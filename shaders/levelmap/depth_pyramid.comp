@@ -1,9 +1,10 @@
 // One level of a depth pyramid from the finer one. A node holds of 2 × 2 nodes the least of x, z and w and the greatest of
 // y; the last of a row or column also of those of an odd one left over.
 // In and out: RGBA32F.
+#include "interface/bindings.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(rgba32f, binding = 0) uniform readonly image2D finer;
-layout(rgba32f, binding = 1) uniform writeonly image2D coarser;
+layout(rgba32f, binding = finerImage) uniform readonly image2D finer;
+layout(rgba32f, binding = coarserImage) uniform writeonly image2D coarser;
 
 void main() {
     ivec2 node = ivec2(gl_GlobalInvocationID.xy), size = imageSize(coarser), finerSize = imageSize(finer);

@@ -1,17 +1,18 @@
 // A host's triangles (scene/HostMesh.h) as the vertices and indices of levelmap/ReceiverGeometry.h, in the world.
+#include "interface/bindings.glsl"
+#include "interface/vertex.glsl"
 layout(local_size_x = 64) in;
-layout(std430, binding = 0) readonly buffer HostVertices { float hostVertices[]; };
-layout(std430, binding = 1) readonly buffer HostIndices { uint hostIndices[]; };
-layout(std430, binding = 2) writeonly buffer Vertices { uint vertices[]; };
-layout(std430, binding = 3) writeonly buffer Indices { uint indices[]; };
-layout(location = 0) uniform mat4 toWorld; // to m from the scene's origin
-layout(location = 1) uniform mat4 normalToWorld;
-layout(location = 2) uniform ivec2 vertexLayout; // in words: where the first vertex is; from one to the next
-layout(location = 3) uniform ivec2 offsets;      // in words, of position and normal in a vertex; -1: no normal
-layout(location = 4) uniform ivec2 counts;       // of vertices; of triangles' corners
-layout(location = 5) uniform ivec2 indexLayout;  // where the first index is, in words; bytes of one, 0: there are none
+layout(std430, binding = hostVerticesBuffer) readonly buffer HostVertices { float hostVertices[]; };
+layout(std430, binding = hostIndicesBuffer) readonly buffer HostIndices { uint hostIndices[]; };
+layout(std430, binding = verticesBuffer) writeonly buffer Vertices { uint vertices[]; };
+layout(std430, binding = indicesBuffer) writeonly buffer Indices { uint indices[]; };
+layout(location = toWorldLocation) uniform mat4 toWorld; // to m from the scene's origin
+layout(location = normalToWorldLocation) uniform mat4 normalToWorld;
+layout(location = vertexLayoutLocation) uniform ivec2 vertexLayout; // in words: where the first vertex is; from one to the next
+layout(location = offsetsLocation) uniform ivec2 offsets; // in words, of position and normal in a vertex; -1: no normal
+layout(location = countsLocation) uniform ivec2 counts; // of vertices; of triangles' corners
+layout(location = indexLayoutLocation) uniform ivec2 indexLayout; // where the first index is, in words; bytes of one, 0: there are none
 
-const int vertexWords = 12;
 
 vec3 vectorAt(int word) { return vec3(hostVertices[word], hostVertices[word + 1], hostVertices[word + 2]); }
 

@@ -1,7 +1,7 @@
 // Out, R32F, the smallest counts: metres from the lamp.
 #include "water/light.glsl"
 #include "levelmap/receiver_fragment.glsl"
-layout(location = 0) out float outDistance;
+out float outDistance;
 
 void main() {
     if (fragmentIn.position.y > waterSurface.x || isHole()) discard;

@@ -1,7 +1,8 @@
 // A receiver in one of the six views of a lamp (lamp_shadow.glsl).
+#include "interface/bindings.glsl"
 #include "levelmap/lamp_shadow.glsl"
 #include "levelmap/receiver_vertex.glsl"
-layout(location = 0) uniform int face;
+layout(location = faceLocation) uniform int face;
 
 void main() {
     passVertex();

@@ -3,11 +3,12 @@
 //        mean light is taken by something before it and -3 where it is the inside of a solid (cleared to 0, -1: no receiver).
 // Out 1, SRGB8_ALPHA8: base colour; alpha: the share of the mean light that reaches the texel.
 // Out 2, RG16: geometric normal facing the box's top, octahedral.
+#include "interface/bindings.glsl"
 #include "levelmap/level_map_texel.glsl"
 #include "optics/octahedral.glsl"
-layout(location = 0) out vec2 outPosition;
-layout(location = 1) out vec4 outDiffuse;
-layout(location = 2) out vec2 outNormal;
+layout(location = positionTarget) out vec2 outPosition;
+layout(location = diffuseTarget) out vec4 outDiffuse;
+layout(location = normalTarget) out vec2 outNormal;
 
 void main() {
     if (!isInMap()) discard;

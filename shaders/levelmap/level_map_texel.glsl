@@ -1,10 +1,11 @@
 // What the maps of a receiver hold of the surface at a fragment of it: one texel of a level map, or of a slice image.
+#include "interface/bindings.glsl"
 #include "levelmap/facing.glsl"
 #include "optics/planes.glsl"
 #include "levelmap/receiver_fragment.glsl"
 #include "levelmap/scene_depth.glsl"
-layout(location = 0) uniform int testOcclusion; // 0: nothing else can be before it
-layout(location = 1) uniform int receiverNumber;
+layout(location = testOcclusionLocation) uniform int testOcclusion; // 0: nothing else can be before it
+layout(location = receiverNumberLocation) uniform int receiverNumber;
 
 // The share of the mean light that reaches the texel: four places of it, moved along the face, so that an edge of shade
 // is as soft as the texel is wide and does not run in steps.

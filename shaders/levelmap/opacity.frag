@@ -1,10 +1,11 @@
 // What a translucent receiver's surface takes of the light on it (scene/Mesh.h, transmittance), where its level map shows it.
 // Out 0, RGBA16: 1 - transmittance, [0, 1] by channel.
+#include "interface/bindings.glsl"
 #include "levelmap/level_map_texel.glsl"
-layout(binding = 5) uniform sampler2D transmissionTexture; // linear, red
-layout(location = 19) uniform float transmission;
-layout(location = 20) uniform int blended; // 1: alpha is the share of the surface that is there
-layout(location = 0) out vec4 outTaken;
+layout(binding = transmissionTextureUnit) uniform sampler2D transmissionTexture; // linear, red
+layout(location = transmissionLocation) uniform float transmission;
+layout(location = blendedLocation) uniform int blended; // 1: alpha is the share of the surface that is there
+out vec4 outTaken;
 
 void main() {
     if (!isInMap()) discard;

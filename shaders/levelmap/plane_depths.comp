@@ -1,11 +1,12 @@
 // The finest level of a plane pyramid: the depth of the reference plane that each texel belongs to.
 // In: position map RG32F (level_map.frag); depth of each plane by its index, m.
 // Out, RGBA32F: that depth twice, as least and greatest (1e30, -1e30: no receiver, or no light); 0, 0.
+#include "interface/bindings.glsl"
 #include "levelmap/box.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(binding = 0) uniform sampler2D positionMap;
-layout(rgba32f, binding = 0) uniform writeonly image2D depthRange;
-layout(std430, binding = 0) readonly buffer Planes { float planes[]; };
+layout(binding = positionMapUnit) uniform sampler2D positionMap;
+layout(rgba32f, binding = depthPyramidImage) uniform writeonly image2D depthRange;
+layout(std430, binding = planesBuffer) readonly buffer Planes { float planes[]; };
 
 void main() {
     ivec2 texel = ivec2(gl_GlobalInvocationID.xy);

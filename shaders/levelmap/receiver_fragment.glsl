@@ -1,4 +1,5 @@
 // What every fragment shader of a receiver takes: see levelmap/face.geom.
+#include "interface/bindings.glsl"
 in FragmentData {
     vec3 position;
     vec3 normal;
@@ -7,11 +8,11 @@ in FragmentData {
     flat vec3 faceNormal;
     flat vec3 facePoint;
 } fragmentIn;
-layout(binding = 0) uniform sampler2D baseColorTexture; // sRGB, white where the material has none
-layout(location = 16) uniform vec4 baseColorFactor;     // linear
-layout(location = 17) uniform float alphaCutoff;        // alpha below it is a hole; 0: no holes
-layout(location = 18) uniform float normalScale;        // 0: the material has no normal map
-layout(location = 21) uniform vec3 emissionFactor;      // radiance of its own, W/(m² sr), times emissionTexture
+layout(binding = baseColorTextureUnit) uniform sampler2D baseColorTexture; // sRGB, white where the material has none
+layout(location = baseColorFactorLocation) uniform vec4 baseColorFactor; // linear
+layout(location = alphaCutoffLocation) uniform float alphaCutoff; // alpha below it is a hole; 0: no holes
+layout(location = normalScaleLocation) uniform float normalScale; // 0: the material has no normal map
+layout(location = emissionFactorLocation) uniform vec3 emissionFactor; // radiance of its own, W/(m² sr), times emissionTexture
 
 vec4 baseColor() { return baseColorFactor * fragmentIn.color * texture(baseColorTexture, fragmentIn.uv.xy); }
 

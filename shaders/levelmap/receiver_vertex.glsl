@@ -1,8 +1,9 @@
 // What every vertex shader of a receiver takes and gives.
-layout(location = 0) in vec3 inPosition; // m from the scene's origin
-layout(location = 1) in vec3 inNormal;
-layout(location = 2) in vec4 inUv;
-layout(location = 3) in vec4 inColor; // linear
+#include "interface/bindings.glsl"
+layout(location = positionAttribute) in vec3 inPosition; // m from the scene's origin
+layout(location = normalAttribute) in vec3 inNormal;
+layout(location = uvAttribute) in vec4 inUv;
+layout(location = colorAttribute) in vec4 inColor; // linear
 out VertexData {
     vec3 position;
     vec3 normal;

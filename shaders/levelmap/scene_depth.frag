@@ -1,12 +1,13 @@
 // Out 0, RG32F: metres of water along the mean light to this receiver; its number, and a
 // half where its face looks along the light. The exact ray of the texel is
 // cut with the face's plane, since between corners a point light's rays do not interpolate.
+#include "interface/bindings.glsl"
 #include "levelmap/scene_depth.glsl"
 #include "levelmap/receiver_fragment.glsl"
-layout(location = 1) uniform int receiverNumber;
-layout(location = 2) uniform float farthest;
-layout(location = 3) uniform ivec2 mapSize;
-layout(location = 0) out vec2 outDepth;
+layout(location = receiverNumberLocation) uniform int receiverNumber;
+layout(location = farthestLocation) uniform float farthest;
+layout(location = mapSizeLocation) uniform ivec2 mapSize;
+out vec2 outDepth;
 
 void main() {
     if (fragmentIn.position.y > waterSurface.x || isHole()) discard;

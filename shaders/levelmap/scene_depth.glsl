@@ -2,8 +2,9 @@
 // RG32F over the rectangle of the flat surface where the light enters: metres of water from there to the first
 // receiver along the mean light (1e30: none), and that receiver's number, and a half if
 // its face is met from behind.
+#include "interface/bindings.glsl"
 #include "water/light.glsl"
-layout(binding = 1) uniform sampler2D sceneDepth;
+layout(binding = sceneDepthUnit) uniform sampler2D sceneDepth;
 
 // Metres along the mean light from `entry` to the plane through `point` with `normal`; to the point itself where
 // the plane runs along the light.

@@ -1,7 +1,8 @@
 // A receiver seen from where the mean light enters the flat surface.
+#include "interface/bindings.glsl"
 #include "water/light.glsl"
 #include "levelmap/receiver_vertex.glsl"
-layout(location = 2) uniform float farthest; // m of water below which nothing lies
+layout(location = farthestLocation) uniform float farthest; // m of water below which nothing lies
 
 void main() {
     passVertex();

@@ -1,7 +1,7 @@
 // Out, R32F, the largest counts: metres along the light from here to the flat surface.
 #include "water/surface_shadow.glsl"
 #include "levelmap/receiver_fragment.glsl"
-layout(location = 0) out float outDistance;
+out float outDistance;
 
 void main() {
     vec3 position = fragmentIn.position;

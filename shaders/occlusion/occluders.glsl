@@ -3,27 +3,15 @@
 // receiver. First come the triangles that may cut the pencil, then single rays against those. Whatever has no thickness,
 // stands along the light or is finer than a texel is met all the same, at any size of a map.
 // VEILS: some let part of the light through (veils.glsl). Positions in m from the scene's origin.
+#include "interface/bindings.glsl"
 #include "levelmap/facing.glsl"
+#include "interface/occluders.glsl"
 #ifdef VEILS
 #include "occlusion/veils.glsl"
 #endif
 
-struct OccluderNode {
-    vec3 low;
-    int next;  // the node after this one's subtree
-    vec3 high;
-    int items; // 0: an inner node, its first child comes next; else 8 * first triangle + count
-};
-struct OccluderTriangle {
-    vec3 a;
-    int receiver;
-    vec3 b;
-    int veil; // of VeilTriangles (veils.glsl); -1: opaque
-    vec3 c;
-    int spare;
-};
-layout(std430, binding = 12) readonly buffer OccluderNodes { OccluderNode occluderNodes[]; };
-layout(std430, binding = 13) readonly buffer OccluderTriangles { OccluderTriangle occluderTriangles[]; };
+layout(std430, binding = occluderNodesBuffer) readonly buffer OccluderNodes { OccluderNode occluderNodes[]; };
+layout(std430, binding = occluderTrianglesBuffer) readonly buffer OccluderTriangles { OccluderTriangle occluderTriangles[]; };
 
 // Straight rays from anywhere within four places to anywhere within four others.
 struct Pencil {

@@ -1,6 +1,7 @@
 // For methods that shade by the mean light: what the sheets before a texel leave of it. What is opaque is the scene depth
 // map's business.
 // In: position map, tangent by the normal map, occluders. In and out, RGBA16: the share of a texel's light that counts.
+#include "interface/bindings.glsl"
 #ifndef VEILS
 #define VEILS
 #endif
@@ -8,10 +9,10 @@
 #include "occlusion/occluders.glsl"
 #include "optics/octahedral.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(binding = 0) uniform sampler2D positionMap; // RG32F (levelmap/level_map.frag)
-layout(binding = 2) uniform sampler2D normalMap;   // RG16
-layout(rgba16, binding = 0) uniform image2D share;
-layout(location = 0) uniform int receiverNumber;
+layout(binding = positionMapUnit) uniform sampler2D positionMap; // RG32F (levelmap/level_map.frag)
+layout(binding = normalMapUnit) uniform sampler2D normalMap;     // RG16
+layout(rgba16, binding = shareImage) uniform image2D share;
+layout(location = receiverNumberLocation) uniform int receiverNumber;
 
 vec3 passingSheets(vec3 from, vec3 to, Target target) {
     Pencil ray = pencilOf(mat4x3(from, from, from, from), mat4x3(to, to, to, to), vec3(0.0));

@@ -1,16 +1,9 @@
 // What passes through a triangle that is not opaque all over: holes of cut-outs, and sheets that let part of the light on
 // (scene/Mesh.h, transmittance). Images as the loaders have them: 8 bits, sRGB, filtered as the material asks.
-struct VeilTriangle {
-    vec4 colors[3]; // linear RGB and alpha of the corners
-    vec2 uvs[3];
-    int material;
-    int spare;
-};
-layout(std430, binding = 14) readonly buffer VeilTriangles { VeilTriangle veilTriangles[]; };
-layout(std430, binding = 15) readonly buffer VeilMaterials { uint veilWords[]; }; // twelve a material; then texels, RGBA8
-// Words of a material: alpha below which there is a hole, transmission, 1 where blended, spare; base colour, transmission:
-// first texel (-1: no image), width, height, wraps (as src/occlusion/Occluders.cpp packs them).
-const int baseImage = 4, transmissionImage = 8;
+#include "interface/bindings.glsl"
+#include "interface/occluders.glsl"
+layout(std430, binding = veilTrianglesBuffer) readonly buffer VeilTriangles { VeilTriangle veilTriangles[]; };
+layout(std430, binding = veilMaterialsBuffer) readonly buffer VeilMaterials { uint veilWords[]; }; // twelve a material; then texels, RGBA8
 
 int wrapped(int i, int count, int wrap) {
     if (wrap == 2) return clamp(i, 0, count - 1);

@@ -1,10 +1,11 @@
 // A caustic map made ready to be projected: what lies just outside of the receiver's outline takes its nearest
 // neighbour's value, or rims would go dark.
 // In: irradiance (RGBA32F), position map (RG32F). Out, RGBA32F: irradiance, W/m²; depth along the light, m (-1: none).
+#include "interface/bindings.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(binding = 0) uniform sampler2D irradianceMap;
-layout(binding = 1) uniform sampler2D positionMap;
-layout(rgba32f, binding = 0) writeonly uniform image2D castMap;
+layout(binding = irradianceMapUnit) uniform sampler2D irradianceMap;
+layout(binding = positionMapUnit) uniform sampler2D positionMap;
+layout(rgba32f, binding = castMapImage) writeonly uniform image2D castMap;
 
 void main() {
     ivec2 texel = ivec2(gl_GlobalInvocationID.xy);

@@ -3,13 +3,14 @@
 // lies before and behind an edge is not mixed.
 // In: RGBA32F, of any size, W/(m² sr) and in alpha 1 over the metres along the view to what ends it (0: nothing); depth of
 // the picture. Out: radiance, added.
-layout(binding = 0) uniform sampler2D godrays;
-layout(binding = 1) uniform sampler2D depth; // 1 at the near plane, 0 far away
-layout(location = 0) uniform ivec2 samples;  // of the picture
-layout(location = 1) uniform int taps;       // 0: no filter
-layout(location = 2) uniform float radius;   // texels of `godrays`
-layout(location = 3) uniform float near;     // m
-layout(location = 0) out vec4 outRadiance;
+#include "interface/bindings.glsl"
+layout(binding = godraysUnit) uniform sampler2D godrays;
+layout(binding = viewDepthUnit) uniform sampler2D depth; // 1 at the near plane, 0 far away
+layout(location = samplesLocation) uniform ivec2 samples;      // of the picture
+layout(location = tapsLocation) uniform int taps;              // 0: no filter
+layout(location = radiusLocation) uniform float radius;        // texels of `godrays`
+layout(location = nearLocation) uniform float near;            // m
+out vec4 outRadiance;
 
 const float tau = 6.28318530717958648;
 // Share of the depth by which a texel may differ and still count half.

@@ -1,27 +1,28 @@
 // A receiver lit by one of its caustic maps (thesis 4.6, eq. 4-19; further lights are added, eq. 4-20).
 // Out 0, RGBA32F: radiance that leaves the receiver, W/(m² sr), times alpha; alpha, 1 for what is not blended.
 // Out 1, R32F: metres from where it is seen: the camera, its mirror image, or where the view ray crosses the surface.
+#include "interface/bindings.glsl"
 #include "levelmap/facing.glsl"
 #include "view/water_height.glsl"
 #include "levelmap/receiver_fragment.glsl"
 #include "water/surface_shadow.glsl"
 #include "levelmap/lamp_shadow.glsl"
-layout(binding = 1) uniform sampler2D castMap;
-layout(location = 0) uniform int underwater;   // 1: shows what is below the surface, 0: what is above it
-layout(location = 1) uniform int withAmbient;  // once for each receiver
-layout(location = 2) uniform int withCaustics; // castMap and BoxFrame are bound
-layout(location = 3) uniform vec3 strength;    // of a light that comes straight, W/m² or W/sr; LightFrame is bound
-layout(location = 4) uniform int way;          // straight, refracted or mirrored
-layout(location = 5) uniform int sheerSide;    // 0: what hides all behind it; of what is blended with that, 1: faces
+layout(binding = castMapUnit) uniform sampler2D castMap;
+layout(location = underwaterLocation) uniform int underwater; // 1: shows what is below the surface, 0: what is above it
+layout(location = withAmbientLocation) uniform int withAmbient; // once for each receiver
+layout(location = withCausticsLocation) uniform int withCaustics; // castMap and BoxFrame are bound
+layout(location = strengthLocation) uniform vec3 strength; // of a light that comes straight, W/m² or W/sr; LightFrame is bound
+layout(location = wayLocation) uniform int way; // straight, refracted or mirrored
+layout(location = sheerSideLocation) uniform int sheerSide; // 0: what hides all behind it; of what is blended with that, 1: faces
                                                // seen from the front, -1: from the back
-layout(location = 19) uniform float transmission; // of what is blended
-layout(location = 22) uniform int ofPartlySheer;  // 1: maps show not this, but what is behind it (scene/Mesh.h)
-layout(location = 0) out vec4 outRadiance;
-layout(location = 1) out float outMetres;
+layout(location = transmissionLocation) uniform float transmission; // of what is blended
+layout(location = ofPartlySheerLocation) uniform int ofPartlySheer; // 1: maps show not this, but what is behind it (scene/Mesh.h)
+layout(location = radianceTarget) out vec4 outRadiance;
+layout(location = metresTarget) out float outMetres;
 
-layout(binding = 4) uniform sampler2D normalTexture; // tangent space, glTF
-layout(binding = 7) uniform sampler2D lampShadow;    // of a lamp under water
-layout(binding = 8) uniform sampler2D emissionTexture; // sRGB, white where the material has none
+layout(binding = normalTextureUnit) uniform sampler2D normalTexture;     // tangent space, glTF
+layout(binding = lampShadowUnit) uniform sampler2D lampShadow;           // of a lamp under water
+layout(binding = emissionTextureUnit) uniform sampler2D emissionTexture; // sRGB, white where the material has none
 
 const float solidAlpha = 254.5 / 255.0; // as in levelmap/ReceiverGeometry.h
 const float pi = 3.14159265358979;

@@ -1,8 +1,9 @@
 // Splits an edge seen through the surface so finely that its curve stays within a fraction of a pixel in practice:
 // pieces of at most a twelfth of the distance from the camera.
+#include "interface/bindings.glsl"
 #include "view/view.glsl"
 layout(vertices = 3) out;
-layout(location = 4) uniform int way; // straight, refracted or mirrored
+layout(location = wayLocation) uniform int way; // straight, refracted or mirrored
 in VertexData {
     vec3 position;
     vec3 normal;

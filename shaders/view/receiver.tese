@@ -1,7 +1,8 @@
 // A corner of a piece of a receiver's triangle, placed where the camera sees it.
+#include "interface/bindings.glsl"
 #include "view/view.glsl"
 layout(triangles, equal_spacing, ccw) in;
-layout(location = 4) uniform int way; // straight, refracted or mirrored
+layout(location = wayLocation) uniform int way; // straight, refracted or mirrored
 in ControlData {
     vec3 position;
     vec3 normal;

@@ -2,22 +2,7 @@
 // The near side is the camera's own side of the surface, the far side the other one.
 #include "optics/optics.glsl"
 #include "optics/water_grid.glsl"
-layout(std140, binding = 2) uniform ViewFrame {
-    mat4 viewProjection;
-    vec4 cameraPosition; // w: 1 above the water's surface, 0 below
-    vec4 ambientRadiance;
-    vec4 skyRadiance;
-    vec4 waterExtinction; // RGB, 1/m; w: an upper bound on m beyond the surface along a view ray to any receiver
-    vec4 viewWater;       // y, m, of the flat surface that views are made by: the level, or between camera and level
-                          // where the camera is in the waves; index of refraction; scale of the views through and in the surface (their margin);
-                          // m that a texel is wide in a metre's distance
-    vec4 deepRadiance;    // what endless water looks like
-    vec4 waterRest;       // x: the level, m
-    vec4 patchRect;       // x, z of a corner and extents of the moving grid, m
-    ivec4 patchQuads;     // of the moving grid, in x and z
-    vec4 nearSideMin, nearSideMax; // what may show in the surface by reflection, m; w of the first: 1 if there is any
-    vec4 farSideMin, farSideMax;   // what may show through it, likewise
-};
+#include "interface/view_frame.glsl"
 
 // How receivers come into a view: as they are; through the flat surface, for those on its far side; mirrored in it.
 const int straight = 0, refracted = 1, mirrored = 2;

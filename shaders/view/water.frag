@@ -1,17 +1,18 @@
 // The surface as the camera sees it: what lies beyond it by refraction, what lies on the camera's side by reflection,
 // each with its Fresnel share. Radiance that leaves the water shrinks by n² (L/n² is what stays along a ray).
 // In: the refracted and the mirrored view (follow_view.glsl). Out, RGBA32F: radiance, W/(m² sr).
+#include "interface/bindings.glsl"
 #include "water/surface_shadow.glsl"
 #include "view/follow_view.glsl"
-layout(binding = 0) uniform sampler2D refractedRadiance;
-layout(binding = 1) uniform sampler2D refractedDistance;
-layout(binding = 5) uniform sampler2D mirroredRadiance;
-layout(binding = 6) uniform sampler2D mirroredDistance;
-layout(location = 0) uniform vec4 hole; // x, z of a corner and extents of what another draw call fills; extent 0: none
-layout(location = 2) uniform vec3 sun; // W/m² facing it: adds only this light's glitter; its LightFrame is bound
+layout(binding = refractedRadianceUnit) uniform sampler2D refractedRadiance;
+layout(binding = refractedDistanceUnit) uniform sampler2D refractedDistance;
+layout(binding = mirroredRadianceUnit) uniform sampler2D mirroredRadiance;
+layout(binding = mirroredDistanceUnit) uniform sampler2D mirroredDistance;
+layout(location = holeLocation) uniform vec4 hole; // x, z of a corner and extents of what another draw call fills; extent 0: none
+layout(location = sunLocation) uniform vec3 sun; // W/m² facing it: adds only this light's glitter; its LightFrame is bound
 in vec3 position;
 in vec3 normal;
-layout(location = 0) out vec4 outRadiance;
+out vec4 outRadiance;
 
 const float pi = 3.14159265358979;
 // Mean square slope of the ripples that are too small for the grid: what Cox and Munk (1954) found without wind.

@@ -1,8 +1,9 @@
 // The water surface: the moving grid, or the flat rest of it out to the horizon.
+#include "interface/bindings.glsl"
 #include "view/view.glsl"
-layout(location = 0) in vec4 inPosition; // m from the scene's origin
-layout(location = 1) in vec4 inNormal;
-layout(location = 1) uniform int flatRest;
+layout(location = positionAttribute) in vec4 inPosition; // m from the scene's origin
+layout(location = normalAttribute) in vec4 inNormal;
+layout(location = flatRestLocation) uniform int flatRest;
 out vec3 position;
 out vec3 normal;
 

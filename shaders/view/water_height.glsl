@@ -1,6 +1,7 @@
 // The water's surface as the picture draws it, asked by place.
+#include "interface/bindings.glsl"
 #include "view/view.glsl"
-layout(std430, binding = 1) readonly buffer SurfacePositions { vec4 surfacePositions[]; };
+layout(std430, binding = positionsBuffer) readonly buffer SurfacePositions { vec4 surfacePositions[]; };
 
 float cornerHeight(ivec2 at) {
     vec3 corner = surfacePositions[at.y * (patchQuads.x + 1) + at.x].xyz;

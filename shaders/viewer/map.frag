@@ -1,16 +1,17 @@
 // One of a receiver's maps for the eye, RGBA8: what it holds as colours, dark where there is no receiver.
+#include "interface/bindings.glsl"
 #include "optics/octahedral.glsl"
 #include "optics/tonemap.glsl"
 
-layout(binding = 0) uniform sampler2D position; // of the level map: depth along the light, m; plane index, < 0: none
-layout(binding = 1) uniform sampler2D diffuse;  // base colour; share of the mean light
-layout(binding = 2) uniform sampler2D normal;   // octahedral
-layout(binding = 3) uniform sampler2D caustic;  // irradiance, W/m²
-layout(location = 0) uniform ivec2 size;        // of the target, pixels
-layout(location = 1) uniform int kind;          // 0 position, 1 diffuse, 2 normal, 3 caustic
-layout(location = 2) uniform float height;      // of the box, m
-layout(location = 3) uniform float gain;        // caustics: times irradiance, before tone mapping
-layout(location = 0) out vec4 shown;
+layout(binding = positionMapUnit) uniform sampler2D position; // of the level map: depth along the light, m; plane index, < 0: none
+layout(binding = diffuseMapUnit) uniform sampler2D diffuse; // base colour; share of the mean light
+layout(binding = normalMapUnit) uniform sampler2D normal; // octahedral
+layout(binding = irradianceMapUnit) uniform sampler2D caustic; // irradiance, W/m²
+layout(location = sizeLocation) uniform ivec2 size; // of the target, pixels
+layout(location = kindLocation) uniform int kind; // 0 position, 1 diffuse, 2 normal, 3 caustic
+layout(location = heightLocation) uniform float height; // of the box, m
+layout(location = gainLocation) uniform float gain; // caustics: times irradiance, before tone mapping
+out vec4 shown;
 
 const float white = 4.0; // tone mapping, as in pictures
 

@@ -1,17 +1,18 @@
 // A picture as a display takes it: linear radiance in, the mean of each pixel's samples tone-mapped and dithered as
 // toneMapped does it (src/view/Picture.h) out, RGBA8. Two pictures side by side, or their difference.
+#include "interface/bindings.glsl"
 #include "optics/tonemap.glsl"
 
-layout(binding = 0) uniform sampler2D first;  // linear radiance, W/(m² sr), row 0 at the bottom
-layout(binding = 1) uniform sampler2D second; // likewise
-layout(location = 0) uniform ivec2 size;      // pixels
-layout(location = 1) uniform int perPixel;    // samples along each axis
-layout(location = 2) uniform float gain;      // 2 to the exposure's stops
-layout(location = 3) uniform int mode;        // 0: first; 1: second right of `split`; 2: difference
-layout(location = 4) uniform float split;     // pixels from the left
-layout(location = 5) uniform float difference; // a difference of 1 / this of the display's range becomes white
-layout(location = 6) uniform float white;     // luminance that becomes white
-layout(location = 0) out vec4 shown;
+layout(binding = firstRadianceUnit) uniform sampler2D first; // linear radiance, W/(m² sr), row 0 at the bottom
+layout(binding = secondRadianceUnit) uniform sampler2D second; // likewise
+layout(location = sizeLocation) uniform ivec2 size; // pixels
+layout(location = perPixelLocation) uniform int perPixel; // samples along each axis
+layout(location = gainLocation) uniform float gain; // 2 to the exposure's stops
+layout(location = modeLocation) uniform int mode; // 0: first; 1: second right of `split`; 2: difference
+layout(location = splitLocation) uniform float split; // pixels from the left
+layout(location = differenceLocation) uniform float difference; // a difference of 1 / this of the display's range becomes white
+layout(location = whiteLocation) uniform float white; // luminance that becomes white
+out vec4 shown;
 
 vec3 meanOf(sampler2D samples, ivec2 pixel) {
     vec3 sum = vec3(0.0);

@@ -2,14 +2,15 @@
 // for a point light (W per W/sr; what a spot leaves out counts less). Flux goes by the triangle's own face; the vertex normals only bend the rays.
 // In: vertex indices, beam origins. Out, a triangle: flux as if nothing stood out of the water; the share of it that
 // things above the water leave.
+#include "interface/bindings.glsl"
 #include "water/surface_shadow.glsl"
 #include "water/triangle.glsl"
 layout(local_size_x = 64) in;
-layout(std430, binding = 0) readonly buffer Indices { uint indices[]; };
-layout(std430, binding = 3) readonly buffer BeamOrigins { vec4 origins[]; };
-layout(std430, binding = 5) writeonly buffer BeamFlux { float flux[]; };
-layout(std430, binding = 9) writeonly buffer BeamLit { float lit[]; };
-layout(location = 0) uniform int triangleCount;
+layout(std430, binding = indicesBuffer) readonly buffer Indices { uint indices[]; };
+layout(std430, binding = beamOriginsBuffer) readonly buffer BeamOrigins { vec4 origins[]; };
+layout(std430, binding = beamFluxBuffer) writeonly buffer BeamFlux { float flux[]; };
+layout(std430, binding = beamLitBuffer) writeonly buffer BeamLit { float lit[]; };
+layout(location = triangleCountLocation) uniform int triangleCount;
 
 // Solid angle of a triangle seen from the origin, sr (van Oosterom and Strackee 1983); negative from behind.
 float solidAngle(vec3 a, vec3 b, vec3 c) {

@@ -1,13 +1,14 @@
 // One ray into the water for each vertex of the surface.
 // In: position and normal of the vertices. Out: origin (m, w = Fresnel transmittance) and unit direction below
 // the surface (w = 0). A vertex whose normal faces away from the light transmits nothing.
+#include "interface/bindings.glsl"
 #include "water/light.glsl"
 layout(local_size_x = 64) in;
-layout(std430, binding = 1) readonly buffer Positions { vec4 positions[]; };
-layout(std430, binding = 2) readonly buffer Normals { vec4 normals[]; };
-layout(std430, binding = 3) writeonly buffer BeamOrigins { vec4 origins[]; };
-layout(std430, binding = 4) writeonly buffer BeamDirections { vec4 directions[]; };
-layout(location = 0) uniform int vertexCount;
+layout(std430, binding = positionsBuffer) readonly buffer Positions { vec4 positions[]; };
+layout(std430, binding = normalsBuffer) readonly buffer Normals { vec4 normals[]; };
+layout(std430, binding = beamOriginsBuffer) writeonly buffer BeamOrigins { vec4 origins[]; };
+layout(std430, binding = beamDirectionsBuffer) writeonly buffer BeamDirections { vec4 directions[]; };
+layout(location = vertexCountLocation) uniform int vertexCount;
 
 void main() {
     uint index = gl_GlobalInvocationID.y * gl_NumWorkGroups.x * gl_WorkGroupSize.x + gl_GlobalInvocationID.x;

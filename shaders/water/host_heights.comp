@@ -1,10 +1,11 @@
 // Coefficients of the bicubic B-spline through a host's heights, in two passes, one along each axis: the filter
 // √3 z^|k|, z = √3 − 2 (Unser, Aldroubi and Eden 1993), whose ninth term is 7e-6 of the first. Heights are mirrored in
 // the texture's edges.
+#include "interface/bindings.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(location = 0) uniform int axis; // 0: x, 1: z
-layout(binding = 8) uniform sampler2D heights; // after those of surface.comp
-layout(r32f, binding = 0) writeonly uniform image2D coefficients;
+layout(location = axisLocation) uniform int axis;                  // 0: x, 1: z
+layout(binding = hostHeightsUnit) uniform sampler2D heights; // after those of surface.comp
+layout(r32f, binding = coefficientsImage) writeonly uniform image2D coefficients;
 
 int mirrored(int i, int count) { return i < 0 ? -1 - i : i >= count ? 2 * count - 1 - i : i; }
 

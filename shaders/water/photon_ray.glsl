@@ -1,13 +1,14 @@
 // A photon: the light of a small piece of the water's level, refracted as the beam that it goes through.
-layout(std430, binding = 0) readonly buffer Indices { uint indices[]; };
-layout(std430, binding = 3) readonly buffer BeamOrigins { vec4 origins[]; };
-layout(std430, binding = 4) readonly buffer BeamDirections { vec4 directions[]; };
-layout(std430, binding = 5) readonly buffer BeamFlux { float flux[]; };
-layout(location = 0) uniform vec4 patchRect;  // x, z of a corner and extents of the beams' grid, m
-layout(location = 1) uniform ivec2 quads;     // of it
-layout(location = 2) uniform vec4 photonRect; // of the photon grid, likewise
-layout(location = 3) uniform ivec2 cells;     // of it
-layout(location = 4) uniform int subdivision; // photons along a side of a cell
+#include "interface/bindings.glsl"
+layout(std430, binding = indicesBuffer) readonly buffer Indices { uint indices[]; };
+layout(std430, binding = beamOriginsBuffer) readonly buffer BeamOrigins { vec4 origins[]; };
+layout(std430, binding = beamDirectionsBuffer) readonly buffer BeamDirections { vec4 directions[]; };
+layout(std430, binding = beamFluxBuffer) readonly buffer BeamFlux { float flux[]; };
+layout(location = patchRectLocation) uniform vec4 patchRect;    // x, z of a corner and extents of the beams' grid, m
+layout(location = quadsLocation) uniform ivec2 quads;           // of it
+layout(location = photonRectLocation) uniform vec4 photonRect;  // of the photon grid, likewise
+layout(location = cellsLocation) uniform ivec2 cells;           // of it
+layout(location = subdivisionLocation) uniform int subdivision; // photons along a side of a cell
 
 struct Photon {
     vec3 from;      // m from the scene's origin

@@ -3,18 +3,16 @@
 // group has one line; what the line has no mode for is 0.
 // In: modes as scene/Spectrum.h has them (WITH_TIME: the first pass, which lets them run), or the lines of the first
 // pass. Out: complex lines, or the tile, R32F: m for a root mean square of 1 m; texel i is at i cells.
+#include "interface/bindings.glsl"
+#include "interface/wave_mode.glsl"
 layout(local_size_x = 128) in;
-struct Mode {
-    vec2 amplitude;   // h0, complex, m
-    double frequency; // 1/s, turns
-};
-layout(std430, binding = 0) readonly buffer Modes { Mode modes[]; };
-layout(std430, binding = 1) readonly buffer Turns { vec2 turns[]; }; // e^(2πi n / texels), n below texels / 2
-layout(std430, binding = 2) buffer Lines { vec2 lines[]; };          // mode row by texel column
-layout(r32f, binding = 0) uniform writeonly image2D tile;
-layout(location = 0) uniform int side;   // modes
-layout(location = 1) uniform int texels; // of the tile's side, a power of two, at most 4096
-layout(location = 2) uniform double time; // s
+layout(std430, binding = modesBuffer) readonly buffer Modes { Mode modes[]; };
+layout(std430, binding = turnsBuffer) readonly buffer Turns { vec2 turns[]; }; // e^(2πi n / texels), n below texels / 2
+layout(std430, binding = spectrumLinesBuffer) buffer Lines { vec2 lines[]; };  // mode row by texel column
+layout(r32f, binding = tileImage) uniform writeonly image2D tile;
+layout(location = sideLocation) uniform int side;     // modes
+layout(location = texelsLocation) uniform int texels; // of the tile's side, a power of two, at most 4096
+layout(location = timeLocation) uniform double time;  // s
 
 const float tau = 6.28318530717958648;
 shared vec2 line[4096];

@@ -1,24 +1,25 @@
 // The water surface at one time: a grid of (quads + 1) vertices a side over the patch.
 // In: the waves, and the height maps with two frames each. Out: position (m from the scene's origin, w = 1) and unit
 // normal of each vertex, row by row in z.
+#include "interface/bindings.glsl"
 #include "optics/spline.glsl"
 #include "optics/waves.glsl"
 layout(local_size_x = 64) in;
-layout(std430, binding = 0) readonly buffer Waves { WaveTerm waves[]; };
-layout(std430, binding = 1) writeonly buffer Positions { vec4 positions[]; };
-layout(std430, binding = 2) writeonly buffer Normals { vec4 normals[]; };
-layout(location = 0) uniform vec2 patchMin;  // m
-layout(location = 1) uniform vec2 patchSize; // m
-layout(location = 2) uniform ivec2 quads;
-layout(location = 3) uniform float level;    // m
-layout(location = 4) uniform int waveCount;
-layout(location = 5) uniform int frameCount;           // two for each height map
-layout(location = 6) uniform vec4 heightMapPlaces[4];  // corner x, z, m; texels a metre
-layout(location = 10) uniform float frameShares[8];    // m for one unit
-layout(location = 18) uniform int tiled[4];            // 1: the height map repeats without end
-layout(location = 22) uniform int hasLines;            // 0: quads are equally wide
-layout(std430, binding = 3) readonly buffer Lines { float lines[]; }; // between quads, m: all along x, then along z
-layout(binding = 0) uniform sampler2D frames[8];       // coefficients of a bicubic B-spline
+layout(std430, binding = wavesBuffer) readonly buffer Waves { WaveTerm waves[]; };
+layout(std430, binding = positionsBuffer) writeonly buffer Positions { vec4 positions[]; };
+layout(std430, binding = normalsBuffer) writeonly buffer Normals { vec4 normals[]; };
+layout(location = patchMinLocation) uniform vec2 patchMin;   // m
+layout(location = patchSizeLocation) uniform vec2 patchSize; // m
+layout(location = quadsLocation) uniform ivec2 quads;
+layout(location = levelLocation) uniform float level; // m
+layout(location = waveCountLocation) uniform int waveCount;
+layout(location = frameCountLocation) uniform int frameCount; // two for each height map
+layout(location = heightMapPlacesLocation) uniform vec4 heightMapPlaces[4]; // corner x, z, m; texels a metre
+layout(location = frameSharesLocation) uniform float frameShares[8]; // m for one unit
+layout(location = tiledLocation) uniform int tiled[4]; // 1: the height map repeats without end
+layout(location = hasLinesLocation) uniform int hasLines; // 0: quads are equally wide
+layout(std430, binding = gridLinesBuffer) readonly buffer Lines { float lines[]; }; // between quads, m: all along x, then along z
+layout(binding = heightFramesUnit) uniform sampler2D frames[8]; // coefficients of a bicubic B-spline
 
 // Value and derivatives by texel of a frame at `at`, in texels from the corner of the first one. Outside of the
 // texture it is 0, as the outermost coefficients are, or it begins again.

@@ -1,8 +1,9 @@
 // What things above the water take from the light before it reaches the surface.
 // R32F over the rectangle of the flat surface: metres along the light from the first thing it meets down to the
 // surface; 0 where nothing is before it.
+#include "interface/bindings.glsl"
 #include "water/light.glsl"
-layout(binding = 3) uniform sampler2D surfaceShadow;
+layout(binding = surfaceShadowUnit) uniform sampler2D surfaceShadow;
 
 // Where the straight light through a point at or above the level meets the flat surface.
 vec3 straightFoot(vec3 point) {

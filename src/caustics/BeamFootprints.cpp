@@ -3,11 +3,12 @@
 #include <array>
 #include <string>
 
+#include "gl/Bindings.h"
+
 namespace limpid {
 
 namespace {
 constexpr int groupSize = 64;
-enum Uniform { Count, Quads = 0 };
 } // namespace
 
 BeamFootprints::BeamFootprints(gl::Context& context)
@@ -23,8 +24,8 @@ void BeamFootprints::resize(const Beams& beams, const WaterMesh& surface) {
         _footprints = gl::Buffer(ledger, "beam footprints", std::int64_t(_vertexCount) * 16);
         _originDepths = gl::Buffer(ledger, "beam footprints", std::int64_t(_vertexCount) * 4);
         _areas = gl::Buffer(ledger, "beam footprints", std::int64_t(_triangleCount) * 16);
-        _vertexArray.attribute(0, _footprints, 4, 0, 16);
-        _vertexArray.attribute(1, _originDepths, 1, 0, 4);
+        _vertexArray.attribute(footprintAttribute, _footprints, 4, 0, 16);
+        _vertexArray.attribute(originDepthAttribute, _originDepths, 1, 0, 4);
     }
     _vertexArray.indices(surface.indices);
 }
@@ -39,16 +40,16 @@ void BeamFootprints::free() {
 void BeamFootprints::updateRays(const Beams& beams, const WaterMesh& surface, const LevelMap& map,
                                 const BeamCulling* culling) {
     resize(beams, surface);
-    map.box.bindUniform(1);
-    beams.origins.bindStorage(3);
-    beams.directions.bindStorage(4);
-    _footprints.bindStorage(6);
-    _originDepths.bindStorage(7);
+    map.box.bindUniform(boxFrameBlock);
+    beams.origins.bindStorage(beamOriginsBuffer);
+    beams.directions.bindStorage(beamDirectionsBuffer);
+    _footprints.bindStorage(footprintsBuffer);
+    _originDepths.bindStorage(originDepthsBuffer);
     if (culling) {
-        _tileRays.set(Quads, surface.quads);
+        _tileRays.set(quadsLocation, surface.quads);
         BeamCulling::dispatch(_tileRays, culling, surface.quads);
     } else {
-        _rays.set(Count, _vertexCount);
+        _rays.set(vertexCountLocation, _vertexCount);
         _rays.dispatch(_vertexCount, groupSize);
     }
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
@@ -56,10 +57,10 @@ void BeamFootprints::updateRays(const Beams& beams, const WaterMesh& surface, co
 
 void BeamFootprints::update(const Beams& beams, const WaterMesh& surface, const LevelMap& map) {
     updateRays(beams, surface, map);
-    surface.indices.bindStorage(0);
-    beams.flux.bindStorage(5);
-    _areas.bindStorage(8);
-    _area.set(Count, _triangleCount);
+    surface.indices.bindStorage(indicesBuffer);
+    beams.flux.bindStorage(beamFluxBuffer);
+    _areas.bindStorage(beamAreasBuffer);
+    _area.set(triangleCountLocation, _triangleCount);
     _area.dispatch(_triangleCount, groupSize);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT);
 }

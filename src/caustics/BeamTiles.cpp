@@ -6,13 +6,14 @@
 #include <string>
 #include <vector>
 
+#include "core/ShaderData.h"
+#include "gl/Bindings.h"
+
 namespace limpid {
 
 namespace {
 constexpr int groupSize = 64;
-constexpr int tileQuads = 8; // as in shaders/caustics/beam_tiles.glsl
-enum Uniform { Quads, Culled = 12 };
-enum Binding : GLuint { BoundsBinding, ReachedBinding, KeptBinding };
+using gpu::tileQuads;
 
 glm::ivec2 tilesOf(glm::ivec2 quads) {
     return (quads + tileQuads - 1) / tileQuads;
@@ -43,14 +44,15 @@ BeamTilesPass::BeamTilesPass(gl::Context& context)
 void BeamTilesPass::update(BeamTiles& tiles, const Beams& beams, const WaterMesh& surface) {
     if (tiles.quads != surface.quads) {
         tiles.quads = surface.quads;
-        tiles.bounds = gl::Buffer(_context.ledger(), "beam tiles", 64 * tiles.count());
+        tiles.bounds =
+            gl::Buffer(_context.ledger(), "beam tiles", std::int64_t(sizeof(gpu::RayBounds)) * tiles.count());
         tiles.reached = gl::Buffer(_context.ledger(), "beam tiles", 4 * tiles.count());
     }
-    tiles.bounds.bindStorage(BoundsBinding);
-    tiles.reached.bindStorage(ReachedBinding);
-    beams.origins.bindStorage(3);
-    beams.directions.bindStorage(4);
-    _bounds.set(Quads, surface.quads);
+    tiles.bounds.bindStorage(tileBoundsBuffer);
+    tiles.reached.bindStorage(reachedTilesBuffer);
+    beams.origins.bindStorage(beamOriginsBuffer);
+    beams.directions.bindStorage(beamDirectionsBuffer);
+    _bounds.set(quadsLocation, surface.quads);
     _bounds.dispatch(tiles.count(), groupSize);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
@@ -62,31 +64,31 @@ BeamCulling::BeamCulling(gl::Context& context)
 void BeamCulling::cull(const BeamTiles& tiles, const LevelMap& map, const gl::Texture& pyramid,
                        Depths depths) {
     assert(tiles.bounds.id() != 0 && pyramid.size() == map.frame.size);
-    const std::int64_t bytes = 4 * (5 + tiles.count());
+    const std::int64_t bytes = std::int64_t(sizeof(gpu::Kept)) + 4 * tiles.count();
     if (_kept.bytes() < bytes) {
         _kept = {};
         _kept = gl::Buffer(_context.ledger(), "beam tiles", bytes);
     }
-    constexpr std::uint32_t none[5] = {0, 0, 1, 0, 0};
-    _kept.write(0, sizeof(none), none);
-    map.box.bindUniform(1);
-    pyramid.bind(0);
-    tiles.bounds.bindStorage(BoundsBinding);
-    tiles.reached.bindStorage(ReachedBinding);
-    _kept.bindStorage(KeptBinding);
+    constexpr gpu::Kept none{{0, 0, 1}, 0, 0};
+    _kept.write(0, sizeof(none), &none);
+    map.box.bindUniform(boxFrameBlock);
+    pyramid.bind(depthPyramidUnit);
+    tiles.bounds.bindStorage(tileBoundsBuffer);
+    tiles.reached.bindStorage(reachedTilesBuffer);
+    _kept.bindStorage(keptTilesBuffer);
     const gl::Program& program = depths == Depths::Leaning ? _cullLeaning : _cullPlanes;
-    program.set(Quads, tiles.quads);
+    program.set(quadsLocation, tiles.quads);
     program.dispatch(tiles.count(), groupSize);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
 }
 
 void BeamCulling::dispatch(const gl::Program& program, const BeamCulling* culling, glm::ivec2 quads) {
-    program.set(Culled, culling ? 1 : 0);
+    program.set(culledLocation, culling ? 1 : 0);
     if (!culling) {
         program.dispatch(BeamTiles::countOf(quads) * groupSize, groupSize);
         return;
     }
-    culling->_kept.bindStorage(KeptBinding);
+    culling->_kept.bindStorage(keptTilesBuffer);
     program.dispatchIndirect(culling->_kept, 0);
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include "core/ShaderData.h"
 #include "gl/Context.h"
 #include "gl/Handles.h"
 #include "gl/Program.h"
@@ -9,7 +10,7 @@ namespace limpid {
 
 /// The beams of a light by tiles of 8 × 8 quads of the water's grid.
 struct BeamTiles {
-    gl::Buffer bounds;  ///< RayBounds of shaders/caustics/beam_tiles.glsl
+    gl::Buffer bounds;  ///< gpu::RayBounds, a tile
     gl::Buffer reached; ///< a tile: uint, 1 if some map was asked about it since the bounds were made
     glm::ivec2 quads{0};
 
@@ -48,7 +49,7 @@ class BeamCulling {
     /// is null.
     static void dispatch(const gl::Program& program, const BeamCulling* culling, glm::ivec2 quads);
     /// Where in `kept` the number of beams is, bytes.
-    static constexpr std::int64_t beamCountOffset = 16;
+    static constexpr std::int64_t beamCountOffset = offsetof(gpu::Kept, keptBeams);
 
     /// Gives back its memory until the next `cull`.
     void free() { _kept = {}; }

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "gl/Bindings.h"
 #include "plan/FlatWater.h"
 #include "plan/SunDisc.h"
 
@@ -9,7 +10,6 @@ namespace limpid {
 
 namespace {
 
-enum Uniform { Right, Down };
 constexpr glm::ivec2 groupSize{8, 8};
 
 /// How the mean light below the surface turns as the sun moves from the middle of its disc to the rim of what
@@ -32,14 +32,14 @@ void DiscFilter::apply(CausticMap& caustics, const Inputs& inputs) {
     if (inputs.map.facing == 0 && widest < 0.05 * inputs.map.frame.texel) return;
     const glm::ivec2 size = inputs.map.frame.size;
     _spread.resize(_context, size);
-    inputs.beams.frame.bindUniform(0);
-    inputs.map.box.bindUniform(1);
-    caustics.irradiance.bind(0);
-    inputs.map.position.bind(1);
-    inputs.map.normal.bind(2);
-    _spread.irradiance.bindImage(0, GL_WRITE_ONLY);
-    _filter.set(Right, glm::vec3(right));
-    _filter.set(Down, glm::vec3(down));
+    inputs.beams.frame.bindUniform(lightFrameBlock);
+    inputs.map.box.bindUniform(boxFrameBlock);
+    caustics.irradiance.bind(irradianceMapUnit);
+    inputs.map.position.bind(positionMapUnit);
+    inputs.map.normal.bind(normalMapUnit);
+    _spread.irradiance.bindImage(irradianceImage, GL_WRITE_ONLY);
+    _filter.set(turnRightLocation, glm::vec3(right));
+    _filter.set(turnDownLocation, glm::vec3(down));
     _filter.dispatch2D(size, groupSize);
     glMemoryBarrier(GL_ALL_BARRIER_BITS);
     std::swap(caustics.irradiance, _spread.irradiance);

@@ -5,20 +5,13 @@
 #include <string>
 #include <vector>
 
+#include "core/ShaderData.h"
+#include "gl/Bindings.h"
+
 namespace limpid {
 
 namespace {
 
-enum Uniform {
-    Quads,
-    StepsPerFlux,
-    ExtinctionPerMetre,
-    TestOcclusion,
-    TestSurfaceShadow,
-    ReceiverNumber,
-    ListNumber
-};
-enum ResolveUniform { WattsPerStep, Channels };
 constexpr int groupSize = 64;
 constexpr glm::ivec2 resolveGroupSize{8, 8};
 
@@ -26,18 +19,9 @@ constexpr glm::ivec2 resolveGroupSize{8, 8};
 /// wide ones are.
 constexpr std::int64_t mostTouches = 1 << 21;
 
-/// As shaders/interface/beam_lists.glsl has them.
-enum List { Plain, ShadedQuads, Wide };
-struct ListWork {
-    std::uint32_t groups[3]{0, 1, 1};
-    std::uint32_t count = 0;
-};
-
-/// As shaders/interface/beam_touches.glsl has it.
-struct TouchWork {
-    std::uint32_t groups[3]{0, 1, 1};
-    std::int32_t asked = 0, count[2]{};
-};
+constexpr glm::uvec4 noQuads{0, 1, 1, 0};
+constexpr gpu::BeamLists noLists{{noQuads, noQuads, noQuads}};
+constexpr gpu::BeamTouches noTouches{{0, 1, 1}, 0, {0, 0}};
 
 double fluxPerStepOf(const ExactBeams::Inputs& inputs) {
     const double beams = 2.0 * inputs.surface.quads.x * inputs.surface.quads.y;
@@ -74,50 +58,48 @@ const gl::Program& ExactBeams::program(Pass pass, const Variant& variant) {
 /// Room for the lists and tiles, both empty.
 void ExactBeams::prepareLists(std::int64_t quads) {
     gl::Ledger& ledger = _context.ledger();
-    constexpr ListWork none[3];
-    const std::int64_t bytes = std::int64_t(sizeof(none)) + 3 * 4 * quads;
+    const std::int64_t bytes = std::int64_t(sizeof(noLists)) + 3 * 4 * quads;
     if (_lists.bytes() != bytes) _lists = gl::Buffer(ledger, "beam lists", bytes);
-    _lists.write(0, sizeof(none), none);
+    _lists.write(0, sizeof(noLists), &noLists);
     _largeBeams.clear();
 }
 
 void ExactBeams::bind(const Inputs& inputs) const {
-    inputs.beams.frame.bindUniform(0);
-    inputs.map.box.bindUniform(1);
-    inputs.planes.planes.bind(0);
-    inputs.planes.depthPyramid.bind(2);
-    inputs.beams.flux.bindStorage(5);
-    _footprints.rays().bindStorage(6);
-    _footprints.originDepths().bindStorage(7);
-    _lists.bindStorage(10);
+    inputs.beams.frame.bindUniform(lightFrameBlock);
+    inputs.map.box.bindUniform(boxFrameBlock);
+    inputs.planes.planes.bind(tangentPlanesUnit);
+    inputs.planes.depthPyramid.bind(depthPyramidUnit);
+    inputs.beams.flux.bindStorage(beamFluxBuffer);
+    _footprints.rays().bindStorage(footprintsBuffer);
+    _footprints.originDepths().bindStorage(originDepthsBuffer);
+    _lists.bindStorage(beamListsBuffer);
     if (inputs.occluders) inputs.occluders->bind();
     if (inputs.beams.surfaceShadow) inputs.beams.surfaceShadow->bind(surfaceShadowUnit);
 }
 
 void ExactBeams::set(const gl::Program& program, const Inputs& inputs, const Variant& variant,
                      double stepsPerFlux) const {
-    program.set(StepsPerFlux, float(stepsPerFlux));
+    program.set(stepsPerFluxLocation, float(stepsPerFlux));
     if (variant.extinction)
-        program.set(ExtinctionPerMetre, glm::vec3(inputs.water.absorption + inputs.water.scattering));
+        program.set(extinctionPerMetreLocation, glm::vec3(inputs.water.absorption + inputs.water.scattering));
     if (!variant.shaded) return;
-    program.set(TestOcclusion, inputs.occluders ? 1 : 0);
-    program.set(TestSurfaceShadow, inputs.beams.surfaceShadow ? 1 : 0);
+    program.set(testOcclusionLocation, inputs.occluders ? 1 : 0);
+    program.set(testSurfaceShadowLocation, inputs.beams.surfaceShadow ? 1 : 0);
 }
 
 void ExactBeams::byTexel(const gl::Program& program, int list) const {
-    program.set(ListNumber, list);
-    program.dispatchIndirect(_lists, std::int64_t(list) * std::int64_t(sizeof(ListWork)));
+    program.set(listLocation, list);
+    program.dispatchIndirect(_lists, std::int64_t(list) * std::int64_t(sizeof(noQuads)));
 }
 
 /// Quads that may be shaded, touch by touch.
 void ExactBeams::depositShaded(const Use& use) {
     if (!_touches.id())
         _touches =
-            gl::Buffer(_context.ledger(), "beam touches", std::int64_t(sizeof(TouchWork)) + 8 * mostTouches);
-    constexpr TouchWork none;
-    _touches.write(0, sizeof(none), &none);
-    _touches.bindStorage(11);
-    use(Pass::Gather, false).dispatchIndirect(_lists, ShadedQuads * std::int64_t(sizeof(ListWork)));
+            gl::Buffer(_context.ledger(), "beam touches", std::int64_t(sizeof(noTouches)) + 8 * mostTouches);
+    _touches.write(0, sizeof(noTouches), &noTouches);
+    _touches.bindStorage(beamTouchesBuffer);
+    use(Pass::Gather, false).dispatchIndirect(_lists, gpu::shaded * std::int64_t(sizeof(noQuads)));
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
     use(Pass::Touches, true).dispatchIndirect(_touches, 0);
 }
@@ -145,19 +127,19 @@ void ExactBeams::deposit(const Inputs& inputs) {
                             inputs.occluders->veiled();
         const Variant variant{deposits && extinction, deposits && coloured, shaded, veiled};
         const gl::Program& found = program(pass, variant);
-        found.set(Quads, inputs.surface.quads);
+        found.set(quadsLocation, inputs.surface.quads);
         if (deposits) set(found, inputs, variant, stepsPerFlux);
-        if (deposits && shaded) found.set(ReceiverNumber, inputs.receiverNumber);
+        if (deposits && shaded) found.set(receiverNumberLocation, inputs.receiverNumber);
         return found;
     };
-    inputs.beams.lit.bindStorage(9);
+    inputs.beams.lit.bindStorage(beamLitBuffer);
     BeamCulling::dispatch(use(Pass::AllQuads, mayBeShaded), inputs.culling, inputs.surface.quads);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
 
     _largeBeams.bind();
     if (mayBeShaded) depositShaded(use);
-    byTexel(use(Pass::Listed, false), Plain);
-    if (mayBeShaded) byTexel(use(Pass::Listed, true), Wide);
+    byTexel(use(Pass::Listed, false), gpu::plain);
+    if (mayBeShaded) byTexel(use(Pass::Listed, true), gpu::wide);
     _largeBeams.dispatch(use(Pass::Tiles, mayBeShaded));
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
@@ -166,14 +148,14 @@ void ExactBeams::resolve(CausticMap& caustics, const Inputs& inputs) {
     const glm::ivec2 size = inputs.map.frame.size;
     caustics.resize(_context, size);
     bindSums(inputs);
-    inputs.map.box.bindUniform(1);
-    inputs.map.normal.bind(0);
-    inputs.planes.planes.bind(1);
-    caustics.irradiance.bindImage(0, GL_WRITE_ONLY);
+    inputs.map.box.bindUniform(boxFrameBlock);
+    inputs.map.normal.bind(normalMapUnit);
+    inputs.planes.planes.bind(tangentPlanesUnit);
+    caustics.irradiance.bindImage(irradianceImage, GL_WRITE_ONLY);
     const double fluxPerStep = fluxPerStepOf(inputs);
-    _resolve.set(WattsPerStep,
+    _resolve.set(wattsPerStepLocation,
                  glm::vec3(inputs.beams.strength * (fluxPerStep / inputs.map.frame.texelArea())));
-    _resolve.set(Channels, sumsATexel(inputs));
+    _resolve.set(channelsLocation, sumsATexel(inputs));
     _resolve.dispatch2D(size, resolveGroupSize);
     glMemoryBarrier(GL_ALL_BARRIER_BITS);
 }

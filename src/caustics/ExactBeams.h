@@ -76,8 +76,8 @@ class ExactBeams {
     std::array<std::array<std::optional<gl::Program>, 16>, 5> _programs; ///< compiled when first needed
     FluxSums _sums;
     gl::Program _resolve;
-    gl::Buffer _lists;   ///< as shaders/interface/beam_lists.glsl has it
-    gl::Buffer _touches; ///< as shaders/interface/beam_touches.glsl has it
+    gl::Buffer _lists;   ///< gpu::BeamLists
+    gl::Buffer _touches; ///< gpu::BeamTouches
     LargeBeams _largeBeams;
 };
 

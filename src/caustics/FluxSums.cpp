@@ -3,11 +3,11 @@
 #include <algorithm>
 
 #include "core/Tau.h"
+#include "gl/Bindings.h"
 
 namespace limpid {
 
 namespace {
-constexpr GLuint binding = 8;
 
 /// What all beams of the patch take together, in their unit; of a lamp, no more than about that.
 double patchFlux(const LevelMap& map, const Light& light, const WaterPatch& patch) {
@@ -41,7 +41,7 @@ void FluxSums::bind(std::int64_t count) {
         _sums = gl::Buffer(_context.ledger(), "flux sums", bytes);
         _sums.clearToZero();
     }
-    _sums.bindStorage(binding);
+    _sums.bindStorage(fluxSumsBuffer);
 }
 
 } // namespace limpid

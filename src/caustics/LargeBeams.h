@@ -1,7 +1,9 @@
 #pragma once
 #include <cstdint>
 
+#include "core/ShaderData.h"
 #include "gl/Api.h"
+#include "gl/Bindings.h"
 #include "gl/Context.h"
 #include "gl/Handles.h"
 #include "gl/Program.h"
@@ -20,12 +22,12 @@ class LargeBeams {
 
     /// None is left.
     void clear() {
+        constexpr gpu::LargeBeams none{{0, 1, 1}, 0};
         if (!_buffer.id())
-            _buffer = gl::Buffer(_context.ledger(), "large beams", 16 * (_tiles + std::int64_t(1)));
-        constexpr std::uint32_t none[4] = {0, 1, 1, 0};
-        _buffer.write(0, sizeof(none), none);
+            _buffer = gl::Buffer(_context.ledger(), "large beams", std::int64_t(sizeof(none)) + 16 * _tiles);
+        _buffer.write(0, sizeof(none), &none);
     }
-    void bind() const { _buffer.bindStorage(9); }
+    void bind() const { _buffer.bindStorage(largeBeamsBuffer); }
     /// A work group for each that was left; waits for the pass that left them.
     void dispatch(const gl::Program& program) const {
         glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);

@@ -5,45 +5,21 @@
 #include <vector>
 
 #include "caustics/FluxSums.h"
+#include "core/ShaderData.h"
+#include "gl/Bindings.h"
 #include "plan/FlatWater.h"
 
 namespace limpid {
 
 namespace {
 
-enum CastUniform {
-    PatchRect,
-    Quads,
-    PhotonRect,
-    Cells,
-    Subdivision,
-    StepsPerFlux,
-    ExtinctionPerMetre,
-    CastChannels,
-    Splat,
-    TestSurfaceShadow,
-    TestOcclusion,
-    ReceiverNumber,
-    CastShadeMarks,
-    FirstPhoton,
-    EndPhoton
-};
-enum FilterUniform { FilterChannels, Taps, Radius, FilterShadeMarks };
-enum ResolveUniform { WattsPerStep, Channels, Filtered };
 constexpr int groupSize = 64;
 constexpr glm::ivec2 mapGroupSize{8, 8};
 constexpr double mostSplat = 256; ///< texels
 /// Photons of a dispatch: a work group of the second pass each, in one row.
 constexpr std::int64_t mostAtOnce = 65535;
 
-/// Of a photon that waits for its second pass.
-constexpr std::int64_t bytesOfLeft = 64;
-
-/// As shaders/caustics/photon_splat.comp has it.
-struct LeftWork {
-    std::uint32_t groups[3]{0, 1, 1};
-    std::uint32_t count = 0;
-};
+constexpr gpu::PhotonsLeft noneLeft{{0, 1, 1}, 0};
 
 /// The part of the photon grid whose photons may come to the receiver; a quad of the patch is a cell.
 WaterPatch photonGrid(const PhotonSplat::Inputs& inputs) {
@@ -141,14 +117,14 @@ void PhotonSplat::reserveSums(std::int64_t texels, int channels, bool filtered) 
 }
 
 void PhotonSplat::bind(const Inputs& inputs) const {
-    inputs.beams.frame.bindUniform(0);
+    inputs.beams.frame.bindUniform(lightFrameBlock);
     if (inputs.occluders) inputs.occluders->bind();
     if (inputs.beams.surfaceShadow) inputs.beams.surfaceShadow->bind(surfaceShadowUnit);
-    inputs.surface.indices.bindStorage(0);
-    inputs.beams.origins.bindStorage(3);
-    inputs.beams.directions.bindStorage(4);
-    inputs.beams.flux.bindStorage(5);
-    _left.bindStorage(11);
+    inputs.surface.indices.bindStorage(indicesBuffer);
+    inputs.beams.origins.bindStorage(beamOriginsBuffer);
+    inputs.beams.directions.bindStorage(beamDirectionsBuffer);
+    inputs.beams.flux.bindStorage(beamFluxBuffer);
+    _left.bindStorage(photonsLeftBuffer);
 }
 
 /// Photons in bands, so that the list of those left has room for all of a band.
@@ -156,20 +132,19 @@ void PhotonSplat::cast(const Inputs& inputs, const Cast& settings) {
     const int each = inputs.scene.caustics.photonSubdivision * inputs.scene.caustics.photonSubdivision;
     const std::int64_t photons = std::int64_t(settings.photons.grid.x) * settings.photons.grid.y * each;
     const std::int64_t band = std::min(photons, mostAtOnce);
-    const std::int64_t bytes = std::int64_t(sizeof(LeftWork)) + bytesOfLeft * band;
+    const std::int64_t bytes = std::int64_t(sizeof(noneLeft)) + std::int64_t(sizeof(gpu::LeftPhoton)) * band;
     if (_left.bytes() < bytes) _left = gl::Buffer(_context.ledger(), "photons", bytes);
     bind(inputs);
     const gl::Program& all = castProgram(Pass::All, false);
     const gl::Program& left = castProgram(Pass::Left, inputs.occluders && inputs.occluders->veiled());
     set(all, inputs, settings);
     set(left, inputs, settings);
-    left.set(CastShadeMarks,
+    left.set(shadeMarksLocation,
              inputs.scene.caustics.filterTaps > 0 ? shadeMarks(inputs, settings.channels) : 0);
     for (std::int64_t first = 0; first < photons; first += band) {
-        constexpr LeftWork none;
-        _left.write(0, sizeof(none), &none);
-        all.set(FirstPhoton, int(first));
-        all.set(EndPhoton, int(std::min(first + band, photons)));
+        _left.write(0, sizeof(noneLeft), &noneLeft);
+        all.set(firstPhotonLocation, int(first));
+        all.set(endPhotonLocation, int(std::min(first + band, photons)));
         all.dispatch(std::min(band, photons - first), groupSize);
         glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
         left.dispatchIndirect(_left, 0);
@@ -180,27 +155,27 @@ void PhotonSplat::cast(const Inputs& inputs, const Cast& settings) {
 void PhotonSplat::set(const gl::Program& cast, const Inputs& inputs, const Cast& settings) const {
     const CausticsSettings& caustics = inputs.scene.caustics;
     const Water& water = inputs.scene.water;
-    cast.set(PatchRect, rectOf(inputs.patch, inputs.origin));
-    cast.set(Quads, inputs.surface.quads);
-    cast.set(PhotonRect, rectOf(settings.photons, inputs.origin));
-    cast.set(Cells, settings.photons.grid);
-    cast.set(Subdivision, caustics.photonSubdivision);
-    cast.set(StepsPerFlux, float(settings.stepsPerFlux));
-    cast.set(ExtinctionPerMetre, glm::vec3(water.absorption + water.scattering));
-    cast.set(CastChannels, settings.channels);
-    cast.set(Splat, settings.splat);
-    cast.set(TestSurfaceShadow, inputs.beams.surfaceShadow ? 1 : 0);
-    cast.set(ReceiverNumber, inputs.receiver);
-    cast.set(TestOcclusion, inputs.occluders ? 1 : 0);
+    cast.set(patchRectLocation, rectOf(inputs.patch, inputs.origin));
+    cast.set(quadsLocation, inputs.surface.quads);
+    cast.set(photonRectLocation, rectOf(settings.photons, inputs.origin));
+    cast.set(cellsLocation, settings.photons.grid);
+    cast.set(subdivisionLocation, caustics.photonSubdivision);
+    cast.set(stepsPerFluxLocation, float(settings.stepsPerFlux));
+    cast.set(extinctionPerMetreLocation, glm::vec3(water.absorption + water.scattering));
+    cast.set(channelsLocation, settings.channels);
+    cast.set(splatSizesLocation, settings.splat);
+    cast.set(testSurfaceShadowLocation, inputs.beams.surfaceShadow ? 1 : 0);
+    cast.set(receiverNumberLocation, inputs.receiver);
+    cast.set(testOcclusionLocation, inputs.occluders ? 1 : 0);
 }
 
 void PhotonSplat::filter(const Inputs& inputs, int channels) {
-    _splats.bindStorage(9);
-    _sums.bindStorage(8);
-    _filter.set(FilterChannels, channels);
-    _filter.set(Taps, inputs.scene.caustics.filterTaps);
-    _filter.set(Radius, float(inputs.scene.caustics.filterRadius));
-    _filter.set(FilterShadeMarks, shadeMarks(inputs, channels));
+    _splats.bindStorage(splatSumsBuffer);
+    _sums.bindStorage(fluxSumsBuffer);
+    _filter.set(channelsLocation, channels);
+    _filter.set(tapsLocation, inputs.scene.caustics.filterTaps);
+    _filter.set(radiusLocation, float(inputs.scene.caustics.filterRadius));
+    _filter.set(shadeMarksLocation, shadeMarks(inputs, channels));
     _filter.dispatch2D(inputs.map.frame.size, mapGroupSize);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
@@ -217,20 +192,21 @@ void PhotonSplat::fill(CausticMap& caustics, const Inputs& inputs) {
     const glm::dvec2 sizes = sizesOf(inputs, photons, way);
     const glm::vec4 splat(glm::vec2(splatSizes(sizes, way.nearest, way.farthest)), glm::vec2(sizes));
     const double perStep = fluxPerStepOf(inputs, photons, sizes);
-    inputs.map.box.bindUniform(1);
-    inputs.planes.planes.bind(0);
-    inputs.map.normal.bind(2);
-    (filtered ? _splats : _sums).bindStorage(8);
+    inputs.map.box.bindUniform(boxFrameBlock);
+    inputs.planes.planes.bind(tangentPlanesUnit);
+    inputs.map.normal.bind(normalMapUnit);
+    (filtered ? _splats : _sums).bindStorage(fluxSumsBuffer);
     if (inputs.beams.strength != glm::dvec3(0)) {
         cast(inputs, {photons, splat, channels, 1 / perStep});
         if (filtered) filter(inputs, channels);
     }
-    inputs.map.normal.bind(0);
-    caustics.irradiance.bindImage(0, GL_WRITE_ONLY);
-    _sums.bindStorage(8);
-    _resolve.set(WattsPerStep, glm::vec3(inputs.beams.strength * (perStep / inputs.map.frame.texelArea())));
-    _resolve.set(Channels, channels);
-    _resolve.set(Filtered, filtered ? 1 : 0);
+    inputs.map.normal.bind(normalMapUnit);
+    caustics.irradiance.bindImage(irradianceImage, GL_WRITE_ONLY);
+    _sums.bindStorage(fluxSumsBuffer);
+    _resolve.set(wattsPerStepLocation,
+                 glm::vec3(inputs.beams.strength * (perStep / inputs.map.frame.texelArea())));
+    _resolve.set(channelsLocation, channels);
+    _resolve.set(filteredLocation, filtered ? 1 : 0);
     _resolve.dispatch2D(size, mapGroupSize);
     glMemoryBarrier(GL_ALL_BARRIER_BITS);
     if (!filtered) return;

@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "gl/Bindings.h"
+
 namespace limpid {
 
 namespace {
 
-enum Uniform { Quads, StepsPerFlux, DepthLimits, ExtinctionPerMetre, TestSurfaceShadow };
-enum ResolveUniform { WattsPerStep, Channels };
 constexpr int groupSize = 64;
 constexpr glm::ivec2 resolveGroupSize{8, 8};
 constexpr glm::vec2 allDepths{-1e29f, 1e29f};
@@ -49,14 +49,14 @@ const gl::Program& PlaneBeams::program(const Variant& variant) {
 }
 
 void PlaneBeams::bind(const Inputs& inputs) {
-    inputs.beams.frame.bindUniform(0);
-    inputs.map.box.bindUniform(1);
-    inputs.depths.pyramid.bind(0);
-    inputs.map.normal.bind(1);
-    inputs.map.position.bind(2);
-    inputs.beams.origins.bindStorage(3);
-    inputs.beams.directions.bindStorage(4);
-    inputs.beams.flux.bindStorage(5);
+    inputs.beams.frame.bindUniform(lightFrameBlock);
+    inputs.map.box.bindUniform(boxFrameBlock);
+    inputs.depths.pyramid.bind(depthPyramidUnit);
+    inputs.map.normal.bind(normalMapUnit);
+    inputs.map.position.bind(positionMapUnit);
+    inputs.beams.origins.bindStorage(beamOriginsBuffer);
+    inputs.beams.directions.bindStorage(beamDirectionsBuffer);
+    inputs.beams.flux.bindStorage(beamFluxBuffer);
     if (inputs.beams.surfaceShadow) inputs.beams.surfaceShadow->bind(surfaceShadowUnit);
 }
 
@@ -74,12 +74,12 @@ void PlaneBeams::depositBetween(const Inputs& inputs, const glm::vec2& depths) {
     _largeBeams.bind();
     for (const bool large : {false, true}) {
         const gl::Program& program = this->program({paths, coloured, large});
-        program.set(Quads, inputs.surface.quads);
-        program.set(StepsPerFlux, float(stepsPerFlux));
-        program.set(DepthLimits, depths);
+        program.set(quadsLocation, inputs.surface.quads);
+        program.set(stepsPerFluxLocation, float(stepsPerFlux));
+        program.set(depthLimitsLocation, depths);
         if (paths) {
-            program.set(ExtinctionPerMetre, glm::vec3(extinction));
-            program.set(TestSurfaceShadow, inputs.beams.surfaceShadow ? 1 : 0);
+            program.set(extinctionPerMetreLocation, glm::vec3(extinction));
+            program.set(testSurfaceShadowLocation, inputs.beams.surfaceShadow ? 1 : 0);
         }
         if (large)
             _largeBeams.dispatch(program);
@@ -104,12 +104,12 @@ void PlaneBeams::resolve(CausticMap& caustics, const Inputs& inputs) {
     const glm::ivec2 size = inputs.map.frame.size;
     caustics.resize(_context, size);
     bindSums(inputs);
-    inputs.map.box.bindUniform(1);
-    inputs.map.diffuse.bind(0);
-    caustics.irradiance.bindImage(0, GL_WRITE_ONLY);
-    _resolve.set(WattsPerStep,
+    inputs.map.box.bindUniform(boxFrameBlock);
+    inputs.map.diffuse.bind(diffuseMapUnit);
+    caustics.irradiance.bindImage(irradianceImage, GL_WRITE_ONLY);
+    _resolve.set(wattsPerStepLocation,
                  glm::vec3(inputs.beams.strength / (stepsOf(inputs) * inputs.map.frame.texelArea())));
-    _resolve.set(Channels, channelsOf(inputs.colours, inputs.water));
+    _resolve.set(channelsLocation, channelsOf(inputs.colours, inputs.water));
     _resolve.dispatch2D(size, resolveGroupSize);
     glMemoryBarrier(GL_ALL_BARRIER_BITS);
 }

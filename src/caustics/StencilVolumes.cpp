@@ -2,21 +2,15 @@
 
 #include <cstdint>
 
+#include "core/ShaderData.h"
+#include "gl/Bindings.h"
 #include "gl/Blending.h"
 
 namespace limpid {
 
 namespace {
 
-enum FindUniform { BeamCount };
-enum VolumeUniform { Strength, ExtinctionPerMetre, TestSurfaceShadow };
-enum Unit : GLuint { PlanesOrDiffuse, Position, Normal };
-constexpr GLuint rangesBinding = 9, drawBinding = 10;
 constexpr int groupSize = 64;
-
-struct DrawCommand {
-    std::uint32_t points, instances, firstPoint, firstInstance;
-};
 
 /// Marks what lies before a back face; a front face takes its marks away, whether it draws there or not.
 void testStencil() {
@@ -40,23 +34,23 @@ void StencilVolumes::findSubVolumes(const LevelMap& map, const Beams& beams, con
     _footprints.update(beams, surface, map);
     const std::int64_t bytes = std::int64_t(beams.triangleCount) * 8;
     if (_ranges.bytes() != bytes) _ranges = gl::Buffer(_context.ledger(), "sub-volumes", bytes);
-    if (!_draw.id()) _draw = gl::Buffer(_context.ledger(), "sub-volumes", sizeof(DrawCommand));
-    const DrawCommand none{std::uint32_t(beams.triangleCount), 0, 0, 0};
+    if (!_draw.id()) _draw = gl::Buffer(_context.ledger(), "sub-volumes", sizeof(gpu::DrawCommand));
+    const gpu::DrawCommand none{std::uint32_t(beams.triangleCount), 0, 0, 0};
     _draw.write(0, sizeof(none), &none);
-    surface.indices.bindStorage(0);
-    _footprints.rays().bindStorage(6);
-    _footprints.originDepths().bindStorage(7);
-    _footprints.areas().bindStorage(8);
-    _ranges.bindStorage(rangesBinding);
-    _draw.bindStorage(drawBinding);
-    _find.set(BeamCount, beams.triangleCount);
+    surface.indices.bindStorage(indicesBuffer);
+    _footprints.rays().bindStorage(footprintsBuffer);
+    _footprints.originDepths().bindStorage(originDepthsBuffer);
+    _footprints.areas().bindStorage(beamAreasBuffer);
+    _ranges.bindStorage(rangesBuffer);
+    _draw.bindStorage(drawCommandBuffer);
+    _find.set(beamCountLocation, beams.triangleCount);
     _find.dispatch(beams.triangleCount, groupSize);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
 }
 
 /// Step 1: their depths alone.
 void StencilVolumes::drawObjects(const LevelMap& map) const {
-    map.position.bind(Position);
+    map.position.bind(positionMapUnit);
     glDepthFunc(GL_ALWAYS);
     glColorMaski(0, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     _objects.use();
@@ -68,9 +62,9 @@ void StencilVolumes::drawObjects(const LevelMap& map) const {
 /// Steps 2 and 3, volume by volume: within a draw, faces are tested in the order they come in.
 void StencilVolumes::drawSubVolumes(const Beams& beams, const Water& water) const {
     if (beams.surfaceShadow) beams.surfaceShadow->bind(surfaceShadowUnit);
-    _volumes.set(TestSurfaceShadow, beams.surfaceShadow ? 1 : 0);
-    _volumes.set(Strength, glm::vec3(beams.strength));
-    _volumes.set(ExtinctionPerMetre, glm::vec3(water.absorption + water.scattering));
+    _volumes.set(testSurfaceShadowLocation, beams.surfaceShadow ? 1 : 0);
+    _volumes.set(strengthLocation, glm::vec3(beams.strength));
+    _volumes.set(extinctionPerMetreLocation, glm::vec3(water.absorption + water.scattering));
     testStencil();
     glDepthMask(GL_FALSE);
     const gl::Adding adding;
@@ -82,8 +76,8 @@ void StencilVolumes::drawSubVolumes(const Beams& beams, const Water& water) cons
 }
 
 void StencilVolumes::multiply(const LevelMap& map) const {
-    map.diffuse.bind(PlanesOrDiffuse);
-    map.normal.bind(Normal);
+    map.diffuse.bind(diffuseMapUnit);
+    map.normal.bind(normalMapUnit);
     const gl::Multiplying multiplying;
     _light.use();
     glDrawArrays(GL_TRIANGLES, 0, 3);
@@ -95,11 +89,11 @@ void StencilVolumes::fill(CausticMap& caustics, const LevelMap& map, const Plane
     const gl::Texture depth(_context.ledger(), "depth buffer", GL_DEPTH32F_STENCIL8, map.frame.size);
     const gl::Texture* const targets[] = {&caustics.irradiance};
     const gl::Framebuffer framebuffer("caustic map", targets, &depth);
-    framebuffer.clearColor(0, glm::vec4(0));
+    framebuffer.clearColor(glm::vec4(0));
     if (beams.strength == glm::dvec3(0)) return;
-    map.box.bindUniform(1);
-    beams.frame.bindUniform(0);
-    depths.pyramid.bind(PlanesOrDiffuse);
+    map.box.bindUniform(boxFrameBlock);
+    beams.frame.bindUniform(lightFrameBlock);
+    depths.pyramid.bind(depthPyramidUnit);
     findSubVolumes(map, beams, surface);
     framebuffer.clearDepthStencil(0, 0);
     framebuffer.bind();

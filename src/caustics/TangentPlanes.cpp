@@ -4,10 +4,11 @@
 #include <string>
 #include <vector>
 
+#include "gl/Bindings.h"
+
 namespace limpid {
 
 namespace {
-enum Uniform { ReceiverNumber };
 constexpr glm::ivec2 groupSize{8, 8};
 } // namespace
 
@@ -20,9 +21,9 @@ const gl::Program& TangentPlanesPass::programFor(const Rims* rims) {
         const std::vector<std::string> defines{"RIMS"};
         _planesWithRims = gl::Program({"caustics/tangent_planes.comp"}, defines);
     }
-    _planesWithRims->set(ReceiverNumber, rims->receiverNumber);
+    _planesWithRims->set(receiverNumberLocation, rims->receiverNumber);
     rims->occluders.bind();
-    rims->beams.frame.bindUniform(0);
+    rims->beams.frame.bindUniform(lightFrameBlock);
     return *_planesWithRims;
 }
 
@@ -34,11 +35,11 @@ void TangentPlanesPass::update(TangentPlanes& planes, const LevelMap& map, const
         planes.planes = gl::Texture(ledger, "tangent planes", GL_RGBA32F, size);
         planes.depthPyramid = gl::Texture(ledger, "depth pyramid", GL_RGBA32F, size, gl::Mipmaps::Full);
     }
-    map.box.bindUniform(1);
-    map.position.bind(0);
-    map.normal.bind(2);
-    planes.planes.bindImage(0, GL_WRITE_ONLY);
-    planes.depthPyramid.bindImage(1, GL_WRITE_ONLY);
+    map.box.bindUniform(boxFrameBlock);
+    map.position.bind(positionMapUnit);
+    map.normal.bind(normalMapUnit);
+    planes.planes.bindImage(tangentPlanesImage, GL_WRITE_ONLY);
+    planes.depthPyramid.bindImage(depthPyramidImage, GL_WRITE_ONLY);
     programFor(rims).dispatch2D(size, groupSize);
     _pyramid.reduce(planes.depthPyramid);
 }

@@ -1,15 +1,11 @@
 #include "caustics/Volumetric.h"
 
+#include "gl/Bindings.h"
 #include "gl/Blending.h"
 
 namespace limpid {
 
 namespace {
-
-enum SliceUniform { SlicePlane = 2 };
-enum CausticsUniform { CausticsPlane = 1 };
-enum CombineUniform { SliceCount };
-constexpr GLuint causticsUnit = 4;
 
 void resize(Slices& slices, gl::Ledger& ledger, glm::ivec2 size, int count) {
     if (slices.count() == count && slices.position.size() == size) return;
@@ -22,9 +18,9 @@ void resize(Slices& slices, gl::Ledger& ledger, glm::ivec2 size, int count) {
 }
 
 void bindImages(const Slices& slices) {
-    slices.position.bind(0);
-    slices.diffuse.bind(1);
-    slices.normal.bind(2);
+    slices.position.bind(positionMapUnit);
+    slices.diffuse.bind(diffuseMapUnit);
+    slices.normal.bind(normalMapUnit);
 }
 
 } // namespace
@@ -45,11 +41,11 @@ void Volumetric::drawSlices(Slices& slices, const LevelMap& map, const LitReceiv
     for (int i = 0; i < slices.count(); ++i) {
         const gl::Framebuffer framebuffer("slice image", targets, &depth, i, gl::SeenBy::Draws);
         framebuffer.bind();
-        framebuffer.clearColor(0, {0, -1, 0, 0});
-        framebuffer.clearColor(1, glm::vec4(0));
-        framebuffer.clearColor(2, glm::vec4(0.5f));
+        framebuffer.clearColor({0, -1, 0, 0}, positionTarget);
+        framebuffer.clearColor(glm::vec4(0), diffuseTarget);
+        framebuffer.clearColor(glm::vec4(0.5f), normalTarget);
         framebuffer.clearDepth(1);
-        _slice.set(SlicePlane, i);
+        _slice.set(planeNumberLocation, i);
         receiver.draw(_slice, map);
     }
     glDisable(GL_FRAMEBUFFER_SRGB);
@@ -64,17 +60,17 @@ void Volumetric::drawCaustics(const Slices& slices, const LevelMap& map, const B
     const gl::Texture* const targets[] = {&slices.caustics};
     for (int i = 0; i < slices.count(); ++i) {
         const gl::Framebuffer framebuffer("slice caustics", targets, nullptr, i, gl::SeenBy::Draws);
-        framebuffer.clearColor(0, glm::vec4(0));
+        framebuffer.clearColor(glm::vec4(0));
         if (dark) continue;
         framebuffer.bind();
-        _drawer.program().set(CausticsPlane, i);
+        _drawer.program().set(planeNumberLocation, i);
         _drawer.draw(map.planes[std::size_t(i)]);
         multiply(i);
     }
 }
 
 void Volumetric::multiply(int plane) {
-    _multiply.set(CausticsPlane, plane);
+    _multiply.set(planeNumberLocation, plane);
     _multiply.use();
     _noVertices.bind();
     const gl::Multiplying multiplying;
@@ -83,16 +79,16 @@ void Volumetric::multiply(int plane) {
 
 void Volumetric::combine(CausticMap& caustics, LevelMap& map, const Slices& slices) {
     caustics.resize(_context, map.frame.size);
-    const gl::Texture* const targets[] = {&caustics.irradiance, &map.position, &map.diffuse, &map.normal};
+    const gl::Texture* const targets[] = {&map.position, &map.diffuse, &map.normal, &caustics.irradiance};
     const gl::Framebuffer framebuffer("combined slices", targets);
     framebuffer.bind();
-    framebuffer.clearColor(0, glm::vec4(0));
-    framebuffer.clearColor(1, {0, -1, 0, 0});
-    framebuffer.clearColor(2, glm::vec4(0));
-    framebuffer.clearColor(3, glm::vec4(0.5f));
+    framebuffer.clearColor(glm::vec4(0), irradianceTarget);
+    framebuffer.clearColor({0, -1, 0, 0}, positionTarget);
+    framebuffer.clearColor(glm::vec4(0), diffuseTarget);
+    framebuffer.clearColor(glm::vec4(0.5f), normalTarget);
     bindImages(slices);
-    slices.caustics.bind(causticsUnit);
-    _combine.set(SliceCount, slices.count());
+    slices.caustics.bind(sliceCausticsUnit);
+    _combine.set(sliceCountLocation, slices.count());
     _combine.use();
     _noVertices.bind();
     glEnable(GL_FRAMEBUFFER_SRGB);

@@ -5,6 +5,8 @@
 
 #include <glm/glm.hpp>
 
+#include "core/ShaderData.h"
+
 namespace limpid {
 
 /// A box along the axes in single precision, m; empty (low > high) until something is added.
@@ -19,14 +21,10 @@ struct Box3f {
 };
 
 /// A node of a bounding volume hierarchy in depth-first order: its first child is the node behind it, and a
-/// traversal that misses it goes on at `next`, so none needs a stack. std430 of
-/// shaders/occlusion/occluders.glsl.
-struct BvhNode {
-    glm::vec3 low;
-    std::int32_t next; ///< the node after this one's subtree
-    glm::vec3 high;
-    std::int32_t items; ///< inner node: 0; leaf: 8 · (first of `order`) + count, count in [1, 4]
-};
+/// traversal that misses it goes on at `next`, so none needs a stack. `items` of a leaf: 8 · (first of
+/// `order`)
+/// + count, count in [1, 4].
+using BvhNode = gpu::OccluderNode;
 
 struct Bvh {
     std::vector<BvhNode> nodes;       ///< empty for no boxes

@@ -1,6 +1,8 @@
 #pragma once
 #include <glm/glm.hpp>
 
+#include "core/ShaderData.h"
+
 /// The shaders' physics on the CPU: in double precision for set-up (namespace optics) and in the shaders' own
 /// single precision (namespace shader). The lines are the same, from shaders/optics.
 
@@ -28,6 +30,7 @@ using namespace glm;
 namespace limpid::shader {
 namespace {
 using namespace glm;
+using gpu::WaveTerm;
 #include "optics/beam_area.glsl"
 #include "optics/octahedral.glsl"
 #include "optics/optics.glsl"

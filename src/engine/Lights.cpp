@@ -33,7 +33,7 @@ std::vector<LightFrameData> discFrames(const Frame& frame, int light) {
     const std::vector<Light> points = discPoints(frame.light(light));
     for (std::size_t i = 1; i < points.size(); ++i) {
         LightFrameData& point = frames.emplace_back(frame.planOf(light).frame);
-        point.direction = glm::vec4(glm::normalize(points[i].direction), 0);
+        point.lightDirection = glm::vec4(glm::normalize(points[i].direction), 0);
     }
     return frames;
 }

@@ -211,7 +211,7 @@ void Framebuffer::bind(glm::ivec2 corner, glm::ivec2 size) const {
     glViewportIndexedf(0, float(corner.x), float(corner.y), float(size.x), float(size.y));
 }
 
-void Framebuffer::clearColor(int attachment, const glm::vec4& value) const {
+void Framebuffer::clearColor(const glm::vec4& value, int attachment) const {
     glClearNamedFramebufferfv(_id, GL_COLOR, attachment, &value.x);
 }
 

@@ -140,7 +140,7 @@ class Framebuffer {
     /// Makes this the draw target, with a viewport over all of it or over a part.
     void bind() const { bind({0, 0}, _size); }
     void bind(glm::ivec2 corner, glm::ivec2 size) const;
-    void clearColor(int attachment, const glm::vec4& value) const;
+    void clearColor(const glm::vec4& value, int attachment = 0) const;
     void clearDepth(float value) const;
     /// Of a depth buffer that has a stencil, GL_DEPTH32F_STENCIL8.
     void clearDepthStencil(float depth, int stencil) const;

@@ -33,16 +33,17 @@ std::string firstLines(std::string log) {
     return log.substr(0, 1000);
 }
 
-std::uint64_t unusedLocations(GLuint program) {
-    std::uint64_t unused = ~std::uint64_t(0);
+std::bitset<uniformCount> unusedLocations(GLuint program) {
+    std::bitset<uniformCount> unused;
+    unused.set();
     GLint count = 0;
     glGetProgramInterfaceiv(program, GL_UNIFORM, GL_ACTIVE_RESOURCES, &count);
     for (GLint i = 0; i < count; ++i) {
         constexpr GLenum asked[] = {GL_LOCATION, GL_ARRAY_SIZE};
         GLint found[2] = {-1, 0}; // elements of an array have a location each
         glGetProgramResourceiv(program, GL_UNIFORM, GLuint(i), 2, asked, 2, nullptr, found);
-        for (GLint at = found[0]; at >= 0 && at < std::min(found[0] + found[1], 64); ++at)
-            unused &= ~(std::uint64_t(1) << unsigned(at));
+        for (GLint at = found[0]; at >= 0 && at < std::min(found[0] + found[1], uniformCount); ++at)
+            unused.reset(std::size_t(at));
     }
     return unused;
 }

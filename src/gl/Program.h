@@ -1,4 +1,5 @@
 #pragma once
+#include <bitset>
 #include <cstdint>
 #include <initializer_list>
 #include <span>
@@ -8,12 +9,13 @@
 #include <glm/glm.hpp>
 
 #include "gl/Api.h"
+#include "gl/Bindings.h"
 #include "gl/Handles.h"
 
 namespace limpid::gl {
 
 /// A linked program of shaders from shaders/; the file's suffix says its stage (.vert .tesc .tese .geom .frag
-/// .comp). Uniforms are set by the explicit location that the shader gives them.
+/// .comp). Uniforms are set by the location that gl/Bindings.h and the shader name alike.
 /// Throws GraphicsError with file and line when one does not compile or link.
 class Program {
   public:
@@ -22,8 +24,7 @@ class Program {
     ~Program() {
         if (_id) glDeleteProgram(_id);
     }
-    Program(Program&& other) noexcept
-        : _id(std::exchange(other._id, 0)), _unused(std::exchange(other._unused, 0)) {}
+    Program(Program&& other) noexcept : _id(std::exchange(other._id, 0)), _unused(other._unused) {}
     Program& operator=(Program&& other) noexcept {
         std::swap(_id, other._id);
         std::swap(_unused, other._unused);
@@ -50,13 +51,11 @@ class Program {
     void dispatch2D(glm::ivec2 items, glm::ivec2 groupSize) const;
 
   private:
-    GLint at(GLint location) const {
-        return location < 64 && (_unused >> unsigned(location) & 1) != 0 ? -1 : location;
-    }
+    GLint at(GLint location) const { return _unused[std::size_t(location)] ? -1 : location; }
     GLuint _id = 0;
-    /// Locations below 64 without a uniform, for shaders that are being worked on (gl/ShaderLibrary.h); in
-    /// others, setting one that does not exist is the error that it is.
-    std::uint64_t _unused = 0;
+    /// Locations without a uniform, for shaders that are being worked on (gl/ShaderLibrary.h); in others,
+    /// setting one that does not exist is the error that it is.
+    std::bitset<uniformCount> _unused;
 };
 
 } // namespace limpid::gl

@@ -38,7 +38,7 @@ void appendFile(ResolvedShader& shader, std::string_view name, std::set<std::str
         ++number;
         if (line.starts_with("#include \""))
             appendFile(shader, line.substr(10, line.rfind('"') - 10), done);
-        else
+        else if (line != "#pragma once") // for C++, which reads some of them too
             append(shader, line, fmt::format("shaders/{}:{}", name, number));
     }
 }

@@ -3,15 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gl/Bindings.h"
+
 namespace limpid {
 
 namespace {
 
-enum DepositUniform { CellsAcross = 5, GapCount, Steps, TestSurfaceShadow };
-enum ResolveUniform { ResolveCells, ResolveGaps, ResolveSteps };
-enum MarchUniform { EvenGaps, MarchGaps, GapHeight, GapGrowth, StepCount, Near, MeanLost, Fan };
 constexpr int groupSize = 64;
-constexpr GLuint gapsBinding = 6, sumsBinding = 8, litUnit = 0, viewDepthUnit = 2;
 
 /// Of light that meets nothing, what is followed: e^-9 of it, one in eight thousand, is left in the clearest
 /// channel.
@@ -99,10 +97,10 @@ void ExactShafts::light(const GodrayInputs& inputs, const GodraySource& source, 
     const GodraySettings& settings = inputs.scene.godrays;
     bindPhotons(_deposit, inputs, source);
     const double steps = stepsOfEven / evenFlux(inputs, source);
-    _deposit.set(CellsAcross, gaps.cells);
-    _deposit.set(GapCount, int(gaps.gaps.size()));
-    _deposit.set(Steps, float(steps));
-    _deposit.set(TestSurfaceShadow, source.beams.surfaceShadow ? 1 : 0);
+    _deposit.set(cellsAcrossLocation, gaps.cells);
+    _deposit.set(gapCountLocation, int(gaps.gaps.size()));
+    _deposit.set(stepsLocation, float(steps));
+    _deposit.set(testSurfaceShadowLocation, source.beams.surfaceShadow ? 1 : 0);
     _deposit.dispatch(std::int64_t(settings.grid.x) * settings.grid.y * settings.subdivision *
                           settings.subdivision,
                       groupSize);
@@ -111,10 +109,10 @@ void ExactShafts::light(const GodrayInputs& inputs, const GodraySource& source, 
 }
 
 void ExactShafts::resolve(const Gaps& gaps, double steps) {
-    glBindImageTexture(0, _lit.id(), 0, GL_TRUE, 0, GL_WRITE_ONLY, GL_R32F);
-    _resolve.set(ResolveCells, gaps.cells);
-    _resolve.set(ResolveGaps, int(gaps.gaps.size()));
-    _resolve.set(ResolveSteps, float(steps));
+    glBindImageTexture(litImage, _lit.id(), 0, GL_TRUE, 0, GL_WRITE_ONLY, GL_R32F);
+    _resolve.set(cellsAcrossLocation, gaps.cells);
+    _resolve.set(gapCountLocation, int(gaps.gaps.size()));
+    _resolve.set(stepsLocation, float(steps));
     _resolve.dispatch(std::int64_t(gaps.cells.x) * gaps.cells.y * std::int64_t(gaps.gaps.size()), groupSize);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
 }
@@ -122,15 +120,15 @@ void ExactShafts::resolve(const Gaps& gaps, double steps) {
 void ExactShafts::march(const GodrayInputs& inputs, const GodraySource& source, const Gaps& gaps) {
     const Water& water = inputs.scene.water;
     const glm::dvec3 lost = water.absorption + water.scattering;
-    _march.set(EvenGaps, gaps.even);
-    _march.set(MarchGaps, int(gaps.gaps.size()));
-    _march.set(GapHeight, float(gaps.height));
-    _march.set(GapGrowth, float(growth));
-    _march.set(StepCount, inputs.scene.godrays.steps);
-    _march.set(Near, inputs.camera.viewProjection[3][2]);
-    _march.set(MeanLost, float((lost.x + lost.y + lost.z) / 3));
+    _march.set(evenGapsLocation, gaps.even);
+    _march.set(gapCountLocation, int(gaps.gaps.size()));
+    _march.set(gapHeightLocation, float(gaps.height));
+    _march.set(gapGrowthLocation, float(growth));
+    _march.set(stepCountLocation, inputs.scene.godrays.steps);
+    _march.set(nearLocation, inputs.camera.viewProjection[3][2]);
+    _march.set(meanLostLocation, float((lost.x + lost.y + lost.z) / 3));
     const glm::dvec3 lamp = source.light.position - inputs.origin;
-    _march.set(Fan, glm::vec4(lamp.x, lamp.z, 1 / fanHeight(inputs, source), widest(water)));
+    _march.set(fanLocation, glm::vec4(lamp.x, lamp.z, 1 / fanHeight(inputs, source), widest(water)));
     _lit.bind(litUnit);
     _noVertices.bind();
     _march.use();
@@ -151,11 +149,11 @@ void ExactShafts::draw(GodrayTarget& target, const GodrayInputs& inputs) {
             _lit = gl::Texture(ledger, "lit water", GL_R32F, gaps.cells, gl::Layers{layers});
             _lit.setFilter(GL_LINEAR, GL_CLAMP_TO_EDGE);
         }
-        _gaps = gl::Buffer(ledger, "lit water", std::span<const Gap>(gaps.gaps));
-        _gaps.bindStorage(gapsBinding);
-        _sums.bindStorage(sumsBinding);
+        _gaps = gl::Buffer(ledger, "lit water", std::span<const gpu::Gap>(gaps.gaps));
+        _gaps.bindStorage(gapsBuffer);
+        _sums.bindStorage(fluxSumsBuffer);
         const gl::Buffer frame = godrayFrame(ledger, inputs, source);
-        frame.bindUniform(godrayFrameBinding);
+        frame.bindUniform(godrayFrameBlock);
         light(inputs, source, gaps);
         if (!begun) target.begin(inputs, GodrayTarget::Surface::Solid);
         begun = true;

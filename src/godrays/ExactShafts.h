@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include "core/ShaderData.h"
 #include "gl/Context.h"
 #include "gl/Handles.h"
 #include "gl/Program.h"
@@ -20,12 +21,9 @@ class ExactShafts {
     /// Adds to `target` the radiance that the water between the camera and what ends the view scatters to it.
     void draw(GodrayTarget& target, const GodrayInputs& inputs);
 
-    /// How the water is cut for one light: shaders/interface/shaft_gaps.glsl (std430).
-    struct Gap {
-        glm::vec4 rect, depth;
-    };
+    /// How the water is cut for one light.
     struct Gaps {
-        std::vector<Gap> gaps;
+        std::vector<gpu::Gap> gaps;
         int even = 0;        ///< so many from the top are of one height
         double height = 1;   ///< of those, m
         glm::ivec2 cells{1}; ///< of a layer

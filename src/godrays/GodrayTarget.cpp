@@ -1,5 +1,7 @@
 #include "godrays/GodrayTarget.h"
 
+#include "gl/Bindings.h"
+
 namespace limpid {
 
 GodrayTarget::GodrayTarget(gl::Context& context)
@@ -21,14 +23,14 @@ void GodrayTarget::resize(glm::ivec2 size) {
 
 void GodrayTarget::begin(const GodrayInputs& inputs, Surface surface) {
     resize(godrayTargetSize(inputs.camera.size, inputs.scene.godrays.scale));
-    _target.clearColor(0, glm::vec4(0));
+    _target.clearColor(glm::vec4(0));
     _target.clearDepth(0);
     _target.bind();
     const NearIsOneTested reversed;
     for (const ReceiverGeometry& receiver : inputs.receivers)
         receiver.draw(_receivers);
     gl::VertexArray grid;
-    grid.attribute(0, inputs.surface.positions, 4, 0, sizeof(glm::vec4));
+    grid.attribute(positionAttribute, inputs.surface.positions, 4, 0, sizeof(glm::vec4));
     grid.indices(inputs.surface.indices);
     grid.bind();
     _surface.use();

@@ -2,19 +2,10 @@
 
 #include <algorithm>
 
+#include "core/ShaderData.h"
+#include "gl/Bindings.h"
+
 namespace limpid {
-
-namespace {
-
-/// Of shaders/water/photon_ray.glsl.
-enum PhotonUniform { PatchRect, Quads, PhotonRect, Cells, Subdivision };
-
-struct GodrayFrameData {
-    glm::mat4 viewProjection;
-    glm::vec4 cameraPosition, target, strength, scattering, extinction;
-};
-
-} // namespace
 
 glm::ivec2 godrayTargetSize(glm::ivec2 size, double scale) {
     return glm::max(glm::ivec2(glm::round(glm::dvec2(size) * scale)), 1);
@@ -28,31 +19,31 @@ gl::Buffer godrayFrame(gl::Ledger& ledger, const GodrayInputs& inputs, const God
     // The projection's scales are the lengths of its rows: what turns the view is orthonormal.
     const glm::dvec2 focus(glm::length(glm::dvec3(view[0][0], view[1][0], view[2][0])),
                            glm::length(glm::dvec3(view[0][1], view[1][1], view[2][1])));
-    GodrayFrameData data;
+    gpu::GodrayFrame data;
     data.viewProjection = view;
     data.cameraPosition = glm::vec4(inputs.camera.position, view[3][2] * 1.001f);
     data.target = glm::vec4(target, 0.5 * target * focus);
     data.strength = glm::vec4(source.beams.strength, settings.phase == Phase::Schlick ? 1 : 0);
     data.scattering = glm::vec4(water.scattering, water.anisotropy);
-    data.extinction = glm::vec4(water.absorption + water.scattering, 0);
+    data.extinctionPerMetre = glm::vec4(water.absorption + water.scattering, 0);
     return {ledger, "view", sizeof(data), &data};
 }
 
 void bindPhotons(const gl::Program& program, const GodrayInputs& inputs, const GodraySource& source) {
-    source.beams.frame.bindUniform(0);
+    source.beams.frame.bindUniform(lightFrameBlock);
     source.sceneDepth.bind();
     if (source.beams.surfaceShadow) source.beams.surfaceShadow->bind(surfaceShadowUnit);
-    inputs.surface.indices.bindStorage(0);
-    source.beams.origins.bindStorage(3);
-    source.beams.directions.bindStorage(4);
-    source.beams.flux.bindStorage(5);
+    inputs.surface.indices.bindStorage(indicesBuffer);
+    source.beams.origins.bindStorage(beamOriginsBuffer);
+    source.beams.directions.bindStorage(beamDirectionsBuffer);
+    source.beams.flux.bindStorage(beamFluxBuffer);
     const GodraySettings& settings = inputs.scene.godrays;
     const glm::vec4 rect = rectOf(inputs.patch, inputs.origin);
-    program.set(PatchRect, rect);
-    program.set(Quads, inputs.surface.quads);
-    program.set(PhotonRect, rect);
-    program.set(Cells, settings.grid);
-    program.set(Subdivision, settings.subdivision);
+    program.set(patchRectLocation, rect);
+    program.set(quadsLocation, inputs.surface.quads);
+    program.set(photonRectLocation, rect);
+    program.set(cellsLocation, settings.grid);
+    program.set(subdivisionLocation, settings.subdivision);
 }
 
 double godrayReach(const GodrayInputs& inputs, const GodraySource& source, double mostExtinction) {

@@ -42,9 +42,8 @@ struct GodrayInputs {
 /// Pixels of the target for a picture of `size`.
 glm::ivec2 godrayTargetSize(glm::ivec2 size, double scale);
 
-/// GodrayFrame of shaders/godrays/godray_frame.glsl, and its binding.
+/// gpu::GodrayFrame of one light.
 gl::Buffer godrayFrame(gl::Ledger& ledger, const GodrayInputs& inputs, const GodraySource& source);
-inline constexpr GLuint godrayFrameBinding = 2;
 
 /// Gives a program what it asks of shaders/water/photon_ray.glsl, scene_depth.glsl and surface_shadow.glsl:
 /// a photon grid as the settings have it over the whole patch.

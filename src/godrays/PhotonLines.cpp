@@ -2,14 +2,13 @@
 
 #include <cmath>
 
+#include "gl/Bindings.h"
+
 namespace limpid {
 
 namespace {
 
-enum CastUniform { Reach = 5, Farthest, TestSurfaceShadow };
-enum LineUniform { LineWidth };
 constexpr int groupSize = 64;
-constexpr GLuint linesBinding = 6;
 
 /// Of light that meets nothing, what is followed: e^-12 of it is left in the clearest channel.
 constexpr double mostExtinction = 12;
@@ -29,10 +28,10 @@ void PhotonLines::castLines(const GodrayInputs& inputs, const GodraySource& sour
     const std::int64_t bytes = std::int64_t(lineCount(settings)) * 2 * std::int64_t(sizeof(glm::vec4));
     if (_ends.bytes() != bytes) _ends = gl::Buffer(_context.ledger(), "photon lines", bytes);
     bindPhotons(_cast, inputs, source);
-    _ends.bindStorage(linesBinding);
-    _cast.set(Reach, float(godrayReach(inputs, source, mostExtinction)));
-    _cast.set(Farthest, float(source.farthest));
-    _cast.set(TestSurfaceShadow, source.beams.surfaceShadow ? 1 : 0);
+    _ends.bindStorage(photonLinesBuffer);
+    _cast.set(reachLocation, float(godrayReach(inputs, source, mostExtinction)));
+    _cast.set(farthestLocation, float(source.farthest));
+    _cast.set(testSurfaceShadowLocation, source.beams.surfaceShadow ? 1 : 0);
     _cast.dispatch(std::int64_t(settings.grid.x) * settings.grid.y, groupSize);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
@@ -40,8 +39,8 @@ void PhotonLines::castLines(const GodrayInputs& inputs, const GodraySource& sour
 void PhotonLines::drawLines(const GodrayInputs& inputs) {
     const GodraySettings& settings = inputs.scene.godrays;
     const glm::dvec2 piece = inputs.patch.size / glm::dvec2(settings.grid * settings.subdivision);
-    _lines.set(LineWidth, glm::vec2(settings.lineWidth, std::sqrt(piece.x * piece.y)));
-    _ends.bindStorage(linesBinding);
+    _lines.set(lineWidthLocation, glm::vec2(settings.lineWidth, std::sqrt(piece.x * piece.y)));
+    _ends.bindStorage(photonLinesBuffer);
     _noVertices.bind();
     _lines.use();
     glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, lineCount(settings));
@@ -52,7 +51,7 @@ void PhotonLines::draw(GodrayTarget& target, const GodrayInputs& inputs) {
     for (const GodraySource& source : inputs.sources) {
         castLines(inputs, source);
         const gl::Buffer frame = godrayFrame(_context.ledger(), inputs, source);
-        frame.bindUniform(godrayFrameBinding);
+        frame.bindUniform(godrayFrameBlock);
         if (!begun) target.begin(inputs, GodrayTarget::Surface::Sheer);
         begun = true;
         target.bind();

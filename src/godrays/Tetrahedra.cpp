@@ -2,16 +2,15 @@
 
 #include <algorithm>
 
+#include "core/ShaderData.h"
+#include "gl/Bindings.h"
+
 namespace limpid {
 
 namespace {
 
-enum SweepUniform { Reach = 5, Farthest, TestSurfaceShadow };
 /// Of shaders/godrays/illumination_volume.glsl, and of what draws.
-enum VolumeUniform { Across, Cuts, Lost, Near = 8 };
-enum StartsUniform { Volumes };
 constexpr int groupSize = 64;
-constexpr GLuint raysBinding = 6, fluxBinding = 7, startsBinding = 8, viewDepthUnit = 2;
 
 /// Of light that meets nothing, what is followed: e^-9 of it, one in eight thousand, is left in the clearest
 /// channel.
@@ -31,9 +30,9 @@ glm::vec3 lostIn(const Water& water) {
 }
 
 void setVolumes(const gl::Program& program, const GodrayInputs& inputs) {
-    program.set(Across, acrossOf(inputs.scene.godrays));
-    program.set(Cuts, inputs.scene.godrays.subVolumes);
-    program.set(Lost, lostIn(inputs.scene.water));
+    program.set(acrossLocation, acrossOf(inputs.scene.godrays));
+    program.set(cutsLocation, inputs.scene.godrays.subVolumes);
+    program.set(lostLocation, lostIn(inputs.scene.water));
 }
 
 } // namespace
@@ -51,14 +50,15 @@ void Tetrahedra::sweep(const GodrayInputs& inputs, const GodraySource& source) {
         _rays = {}, _flux = {}, _volumeStarts = {}; // free before more is asked for
         _rays = gl::Buffer(_context.ledger(), "illumination volumes", corners * 32);
         _flux = gl::Buffer(_context.ledger(), "illumination volumes", volumes * 4);
-        _volumeStarts = gl::Buffer(_context.ledger(), "illumination volumes", 16 + volumes * 4);
+        _volumeStarts = gl::Buffer(_context.ledger(), "illumination volumes",
+                                   std::int64_t(sizeof(gpu::VolumeStarts)) + volumes * 4);
     }
     bindPhotons(_sweep, inputs, source);
-    _rays.bindStorage(raysBinding);
-    _flux.bindStorage(fluxBinding);
-    _sweep.set(Reach, float(godrayReach(inputs, source, mostExtinction)));
-    _sweep.set(Farthest, float(source.farthest));
-    _sweep.set(TestSurfaceShadow, source.beams.surfaceShadow ? 1 : 0);
+    _rays.bindStorage(volumeRaysBuffer);
+    _flux.bindStorage(volumeFluxBuffer);
+    _sweep.set(reachLocation, float(godrayReach(inputs, source, mostExtinction)));
+    _sweep.set(farthestLocation, float(source.farthest));
+    _sweep.set(testSurfaceShadowLocation, source.beams.surfaceShadow ? 1 : 0);
     _sweep.dispatch(corners, groupSize);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
@@ -68,17 +68,17 @@ void Tetrahedra::cut(const GodrayInputs& inputs) {
     const glm::ivec2 across = acrossOf(inputs.scene.godrays);
     const int volumes = 2 * across.x * across.y;
     setVolumes(_pieces, inputs);
-    _volumeStarts.bindStorage(startsBinding);
+    _volumeStarts.bindStorage(volumeStartsBuffer);
     _pieces.dispatch(volumes, groupSize);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-    _starts.set(Volumes, volumes);
+    _starts.set(volumesLocation, volumes);
     _starts.dispatch(1, 1);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
 }
 
 void Tetrahedra::drawPieces(const GodrayInputs& inputs) {
     setVolumes(_draw, inputs);
-    _draw.set(Near, inputs.camera.viewProjection[3][2]);
+    _draw.set(nearLocation, inputs.camera.viewProjection[3][2]);
     _noVertices.bind();
     _draw.use();
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, _volumeStarts.id());
@@ -91,7 +91,7 @@ void Tetrahedra::draw(GodrayTarget& target, const GodrayInputs& inputs) {
     for (const GodraySource& source : inputs.sources) {
         sweep(inputs, source);
         const gl::Buffer frame = godrayFrame(_context.ledger(), inputs, source);
-        frame.bindUniform(godrayFrameBinding);
+        frame.bindUniform(godrayFrameBlock);
         cut(inputs);
         if (!begun) target.begin(inputs, GodrayTarget::Surface::Solid);
         begun = true;

@@ -4,14 +4,15 @@
 #include <array>
 #include <cmath>
 
+#include "core/ShaderData.h"
+#include "gl/Bindings.h"
+
 namespace limpid {
 
 namespace {
 
-enum Uniform { Places = 2, GridPlaces };
-enum Unit : GLuint { CoveredUnit, PositionUnit = 5, NormalUnit };
 constexpr glm::ivec2 groupSize{8, 8};
-constexpr double lean = 0.0773; // as in shaders/levelmap/coverage_places.glsl
+const double lean = gpu::coverageLean;
 constexpr int mostPlaces = 4096;
 
 /// Along a texel's side: as many as leave 2e-4 of a square map in doubt. Each of 4 `side` texels at a rim is
@@ -38,17 +39,17 @@ gl::Texture CoveragePass::draw(const LevelMap& map, const ReceiverGeometry& geom
     const double places = placesFor(size);
     const glm::ivec2 grid = gridFor(size, places);
     const gl::Texture covered(_context.ledger(), "coverage", GL_R8, grid);
-    beams.frame.bindUniform(0);
-    map.box.bindUniform(1);
-    map.position.bind(PositionUnit);
-    map.normal.bind(NormalUnit);
-    _draw.set(Places, float(places));
-    _draw.set(GridPlaces, glm::vec2(grid));
+    beams.frame.bindUniform(lightFrameBlock);
+    map.box.bindUniform(boxFrameBlock);
+    map.position.bind(positionMapUnit);
+    map.normal.bind(normalMapUnit);
+    _draw.set(placesLocation, float(places));
+    _draw.set(gridPlacesLocation, glm::vec2(grid));
     drawPlaces(covered, geometry);
     gl::Texture coverage(_context.ledger(), "coverage", GL_R32F, size);
-    covered.bind(CoveredUnit);
-    coverage.bindImage(0, GL_WRITE_ONLY);
-    _share.set(Places, float(places));
+    covered.bind(coveredUnit);
+    coverage.bindImage(coverageImage, GL_WRITE_ONLY);
+    _share.set(placesLocation, float(places));
     _share.dispatch2D(size, groupSize);
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
     return coverage;
@@ -59,7 +60,7 @@ void CoveragePass::drawPlaces(const gl::Texture& covered, const ReceiverGeometry
     const std::array<const gl::Texture*, 1> targets{&covered};
     const gl::Framebuffer framebuffer("coverage", targets, &depth);
     framebuffer.bind();
-    framebuffer.clearColor(0, glm::vec4(0));
+    framebuffer.clearColor(glm::vec4(0));
     framebuffer.clearDepth(1);
     glEnable(GL_DEPTH_TEST);
     geometry.drawShown(_draw);

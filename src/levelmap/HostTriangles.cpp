@@ -4,6 +4,8 @@
 #include <cstring>
 #include <numeric>
 
+#include "core/ShaderData.h"
+#include "gl/Bindings.h"
 #include "gl/Program.h"
 #include "gl/Reset.h"
 
@@ -11,9 +13,7 @@ namespace limpid {
 
 namespace {
 
-enum Uniform { ToWorld, NormalToWorld, VertexLayout, Offsets, Counts, IndexLayout };
-enum Binding : GLuint { HostVertices, HostIndices, Vertices, Indices };
-constexpr int groupSize = 64, vertexBytes = 48, word = 4;
+constexpr int groupSize = 64, word = 4, vertexBytes = word * gpu::vertexWords;
 
 int cornersOf(const HostMesh& mesh) {
     return mesh.indexBuffer ? mesh.indexCount : mesh.vertexCount;
@@ -31,13 +31,14 @@ void setLayout(const gl::Program& program, const Receiver& receiver, const glm::
     const auto stretched = [&](const glm::dvec3& by) {
         return glm::dmat3(turn[0] * by.x, turn[1] * by.y, turn[2] * by.z);
     };
-    program.set(ToWorld, matrixOf(stretched(receiver.scale), receiver.translation - origin));
-    program.set(NormalToWorld, matrixOf(stretched(1.0 / receiver.scale), glm::dvec3(0)));
-    program.set(VertexLayout, glm::ivec2(mesh.vertexOffset / word, mesh.vertexStride / word));
-    program.set(Offsets,
+    program.set(toWorldLocation, matrixOf(stretched(receiver.scale), receiver.translation - origin));
+    program.set(normalToWorldLocation, matrixOf(stretched(1.0 / receiver.scale), glm::dvec3(0)));
+    program.set(vertexLayoutLocation, glm::ivec2(mesh.vertexOffset / word, mesh.vertexStride / word));
+    program.set(offsetsLocation,
                 glm::ivec2(mesh.positionOffset / word, mesh.normalOffset ? *mesh.normalOffset / word : -1));
-    program.set(Counts, glm::ivec2(mesh.vertexCount, cornersOf(mesh)));
-    program.set(IndexLayout, glm::ivec2(mesh.indexOffset / word, mesh.indexBuffer ? mesh.indexBytes : 0));
+    program.set(countsLocation, glm::ivec2(mesh.vertexCount, cornersOf(mesh)));
+    program.set(indexLayoutLocation,
+                glm::ivec2(mesh.indexOffset / word, mesh.indexBuffer ? mesh.indexBytes : 0));
 }
 
 std::vector<std::uint32_t> readIndices(const HostMesh& mesh) {
@@ -65,16 +66,16 @@ HostTriangles hostTriangles(gl::Context& context, const Receiver& receiver, cons
     own.vertices = gl::Buffer(context.ledger(), "meshes", std::int64_t(mesh.vertexCount) * vertexBytes);
     own.indices = gl::Buffer(context.ledger(), "meshes", std::int64_t(own.indexCount) * word);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT); // what the host's own passes wrote
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, HostVertices, mesh.vertexBuffer);
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, HostIndices,
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, hostVerticesBuffer, mesh.vertexBuffer);
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, hostIndicesBuffer,
                      mesh.indexBuffer ? mesh.indexBuffer : mesh.vertexBuffer);
-    own.vertices.bindStorage(Vertices);
-    own.indices.bindStorage(Indices);
+    own.vertices.bindStorage(verticesBuffer);
+    own.indices.bindStorage(indicesBuffer);
     setLayout(program, receiver, origin);
     program.dispatch(std::max(mesh.vertexCount, own.indexCount), groupSize);
     glMemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_ELEMENT_ARRAY_BARRIER_BIT);
-    for (const GLuint binding : {HostVertices, HostIndices}) // the host's buffers may go
-        glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, 0);
+    for (const int binding : {hostVerticesBuffer, hostIndicesBuffer}) // the host's buffers may go
+        glBindBufferBase(GL_SHADER_STORAGE_BUFFER, GLuint(binding), 0);
     return own;
 }
 

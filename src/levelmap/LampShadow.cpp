@@ -1,12 +1,12 @@
 #include "levelmap/LampShadow.h"
 
+#include "gl/Bindings.h"
 #include "gl/Blending.h"
 
 namespace limpid {
 
 namespace {
 constexpr int side = 1024; // texels of each view: 0.1°
-enum Uniform { Face };
 } // namespace
 
 LampShadowPass::LampShadowPass(gl::Context& context)
@@ -18,12 +18,12 @@ void LampShadowPass::draw(gl::Texture& map, const Beams& beams, std::span<const 
     const gl::Texture* const targets[] = {&map};
     const gl::Framebuffer framebuffer("lamp shadow map", targets);
     framebuffer.bind();
-    framebuffer.clearColor(0, glm::vec4(1e30f));
-    beams.frame.bindUniform(0);
+    framebuffer.clearColor(glm::vec4(1e30f));
+    beams.frame.bindUniform(lightFrameBlock);
     const gl::Blending least(GL_ONE, GL_ONE, GL_MIN);
     for (int face = 0; face < 6; ++face) {
         framebuffer.bind({side * (face % 3), side * (face / 3)}, {side, side});
-        _program.set(Face, face);
+        _program.set(faceLocation, face);
         for (const ReceiverGeometry& receiver : receivers)
             receiver.draw(_program);
     }

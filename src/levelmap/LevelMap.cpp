@@ -4,30 +4,21 @@
 #include <array>
 #include <cassert>
 
+#include "core/ShaderData.h"
+#include "gl/Bindings.h"
+
 namespace limpid {
 
 namespace {
 
-enum LevelMapUniform { TestOcclusion, ReceiverNumber };
-enum HistogramUniform { DepthLevels };
-enum AssignUniform { BoxCount };
 constexpr glm::ivec2 groupSize{8, 8};
-constexpr GLuint sceneDepthUnit = 1;
-
-struct BoxFrameData {
-    glm::vec4 corner, u, w, t, extent;
-    glm::ivec4 size;
-    glm::vec4 facingLight;
-    glm::vec4 shear, gradients;
-    std::array<glm::vec4, 4> facingAxes;
-};
 
 gl::Buffer boxFrame(gl::Ledger& ledger, const TexelFrame& frame, int planes, int facing,
                     const LevelMapLayout& layout) {
     const OrientedBox& b = frame.box;
     const Facings& facings = layout.facings;
     const DepthGradients& gradients = layout.gradients;
-    BoxFrameData data{
+    gpu::BoxFrame data{
         glm::vec4(b.corner - layout.origin, 0),
         glm::vec4(b.u, 0),
         glm::vec4(b.w, 0),
@@ -60,11 +51,11 @@ void prepareLevelMap(gl::Context& context, LevelMap& map, const LevelMapLayout& 
 }
 
 void LitReceiver::draw(const gl::Program& program, const LevelMap& map) const {
-    beams.frame.bindUniform(0);
-    map.box.bindUniform(1);
+    beams.frame.bindUniform(lightFrameBlock);
+    map.box.bindUniform(boxFrameBlock);
     if (sceneDepth) sceneDepth->bind(sceneDepthUnit);
-    program.set(TestOcclusion, sceneDepth ? 1 : 0);
-    program.set(ReceiverNumber, number);
+    program.set(testOcclusionLocation, sceneDepth ? 1 : 0);
+    program.set(receiverNumberLocation, number);
     geometry.drawShown(program);
 }
 
@@ -78,9 +69,9 @@ void LevelMapPass::draw(LevelMap& map, const LitReceiver& receiver) {
     const gl::Texture* const targets[] = {&map.position, &map.diffuse, &map.normal};
     const gl::Framebuffer framebuffer("level map", targets, &depth);
     framebuffer.bind();
-    framebuffer.clearColor(0, {0, -1, 0, 0});
-    framebuffer.clearColor(1, glm::vec4(0));
-    framebuffer.clearColor(2, glm::vec4(0.5f));
+    framebuffer.clearColor({0, -1, 0, 0}, positionTarget);
+    framebuffer.clearColor(glm::vec4(0), diffuseTarget);
+    framebuffer.clearColor(glm::vec4(0.5f), normalTarget);
     framebuffer.clearDepth(1);
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_FRAMEBUFFER_SRGB);
@@ -97,10 +88,10 @@ std::vector<std::uint32_t> SmartSlicing::histogram(const LevelMap& map, int dept
     const std::size_t bins = depthLevels > 0 ? std::size_t(depthLevels) : map.planes.size();
     gl::Buffer counts(_context.ledger(), "depth histogram", std::int64_t(bins * sizeof(std::uint32_t)));
     counts.clearToZero();
-    counts.bindStorage(0);
-    map.box.bindUniform(1);
-    map.position.bind(0);
-    _histogram.set(DepthLevels, depthLevels);
+    counts.bindStorage(histogramBuffer);
+    map.box.bindUniform(boxFrameBlock);
+    map.position.bind(positionMapUnit);
+    _histogram.set(depthLevelsLocation, depthLevels);
     _histogram.dispatch2D(map.frame.size, groupSize);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     return counts.read<std::uint32_t>(bins);
@@ -116,10 +107,10 @@ void SmartSlicing::sliceByLevels(LevelMap& map, int depthLevels, double threshol
     map.planes = planesOf(boxes);
     if (boxes.empty()) return;
     const gl::Buffer buffer(_context.ledger(), "sub-boxes", std::span<const SubBox>(boxes));
-    buffer.bindStorage(0);
-    map.box.bindUniform(1);
-    map.position.bindImage(0, GL_READ_WRITE);
-    _assign.set(BoxCount, int(boxes.size()));
+    buffer.bindStorage(subBoxesBuffer);
+    map.box.bindUniform(boxFrameBlock);
+    map.position.bindImage(positionMapImage, GL_READ_WRITE);
+    _assign.set(boxCountLocation, int(boxes.size()));
     _assign.dispatch2D(map.frame.size, groupSize);
     glMemoryBarrier(GL_ALL_BARRIER_BITS);
 }

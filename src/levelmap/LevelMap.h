@@ -17,7 +17,7 @@ namespace limpid {
 /// `frame.texel` m wide.
 struct LevelMap {
     TexelFrame frame;     ///< in the world
-    gl::Buffer box;       ///< BoxFrame of shaders/levelmap/box.glsl, m from the scene's origin
+    gl::Buffer box;       ///< gpu::BoxFrame
     gl::Texture position; ///< RG32F: depth along the light, m; plane index, -1 no receiver, -2 in shadow, -3
                           ///< inside of a solid
     gl::Texture diffuse;  ///< SRGB8_ALPHA8: base colour; share of the mean light that arrives

@@ -4,6 +4,8 @@
 #include <cassert>
 #include <vector>
 
+#include "gl/Bindings.h"
+
 namespace limpid {
 
 namespace {
@@ -31,10 +33,10 @@ void PlaneDepthsPass::update(PlaneDepths& depths, const LevelMap& map) {
     if (!depths.pyramid.id() || depths.pyramid.size() != map.frame.size)
         depths.pyramid = gl::Texture(ledger, "plane depths", GL_RGBA32F, map.frame.size, gl::Mipmaps::Full);
     const gl::Buffer planes(ledger, "planes", std::span<const float>(depthsByIndex(map)));
-    map.box.bindUniform(1);
-    map.position.bind(0);
-    planes.bindStorage(0);
-    depths.pyramid.bindImage(0, GL_WRITE_ONLY);
+    map.box.bindUniform(boxFrameBlock);
+    map.position.bind(positionMapUnit);
+    planes.bindStorage(planesBuffer);
+    depths.pyramid.bindImage(depthPyramidImage, GL_WRITE_ONLY);
     _program.dispatch2D(map.frame.size, groupSize);
     _pyramid.reduce(depths.pyramid);
 }

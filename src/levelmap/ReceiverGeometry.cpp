@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "core/ShaderData.h"
+#include "gl/Bindings.h"
 #include "levelmap/HostTriangles.h"
 #include "plan/Facings.h"
 
@@ -14,16 +16,7 @@ struct Vertex {
     glm::vec2 uv, normalUv;
     glm::u16vec4 color; // linear: eight bits would show steps in the dark
 };
-enum MaterialUniform {
-    BaseColorFactor = 16,
-    AlphaCutoff,
-    NormalScale,
-    Transmission,
-    Blended,
-    EmissionFactor,
-    OfPartlySheer
-};
-constexpr GLuint baseColorUnit = 0, normalMapUnit = 4, transmissionUnit = 5, emissionUnit = 8;
+static_assert(sizeof(Vertex) == 4 * gpu::vertexWords); // which a host's mesh is written as, too
 
 /// Share of the light that goes through what is there of the surface, about.
 float meanThrough(const Material& material) {
@@ -87,10 +80,10 @@ ReceiverGeometry::ReceiverGeometry(gl::Context& context, const Receiver& receive
         takeHostMesh(context, receiver, origin);
     else
         uploadMesh(ledger, receiver, origin);
-    _vertexArray.attribute(0, _vertices, 3, offsetof(Vertex, position), sizeof(Vertex));
-    _vertexArray.attribute(1, _vertices, 3, offsetof(Vertex, normal), sizeof(Vertex));
-    _vertexArray.attribute(2, _vertices, 4, offsetof(Vertex, uv), sizeof(Vertex));
-    _vertexArray.shortAttribute(3, _vertices, offsetof(Vertex, color), sizeof(Vertex));
+    _vertexArray.attribute(positionAttribute, _vertices, 3, offsetof(Vertex, position), sizeof(Vertex));
+    _vertexArray.attribute(normalAttribute, _vertices, 3, offsetof(Vertex, normal), sizeof(Vertex));
+    _vertexArray.attribute(uvAttribute, _vertices, 4, offsetof(Vertex, uv), sizeof(Vertex));
+    _vertexArray.shortAttribute(colorAttribute, _vertices, offsetof(Vertex, color), sizeof(Vertex));
     _vertexArray.indices(_indices);
     for (std::size_t i = 0; i < _parts.size(); ++i) {
         const Material& material = _materials[std::size_t(_parts[i].material)];
@@ -138,17 +131,18 @@ void ReceiverGeometry::drawPart(std::size_t index, const gl::Program& program, G
                                 float cutoff) const {
     const MeshPart& part = _parts[index];
     const Material& material = _materials[std::size_t(part.material)];
-    program.set(BaseColorFactor, material.baseColor);
-    program.set(AlphaCutoff, cutoff);
-    program.set(NormalScale, material.normalImage >= 0 ? material.normalScale : 0.0f);
+    program.set(baseColorFactorLocation, material.baseColor);
+    program.set(alphaCutoffLocation, cutoff);
+    program.set(normalScaleLocation, material.normalImage >= 0 ? material.normalScale : 0.0f);
     bindTexture(material.baseColorImage >= 0 ? _images[std::size_t(material.baseColorImage)] : _white,
-                baseColorUnit, material.baseColorWrapS, material.baseColorWrapT, material.baseColorNearest);
-    program.set(EmissionFactor, material.emission);
+                baseColorTextureUnit, material.baseColorWrapS, material.baseColorWrapT,
+                material.baseColorNearest);
+    program.set(emissionFactorLocation, material.emission);
     bindTexture(material.emissionImage >= 0 ? _images[std::size_t(material.emissionImage)] : _white,
-                emissionUnit, material.emissionWrapS, material.emissionWrapT,
+                emissionTextureUnit, material.emissionWrapS, material.emissionWrapT,
                 material.emissionImage == material.baseColorImage && material.baseColorNearest);
     if (material.normalImage >= 0)
-        bindTexture(_images[std::size_t(material.normalImage)], normalMapUnit, material.normalWrapS,
+        bindTexture(_images[std::size_t(material.normalImage)], normalTextureUnit, material.normalWrapS,
                     material.normalWrapT);
     program.use();
     _vertexArray.bind();
@@ -157,8 +151,8 @@ void ReceiverGeometry::drawPart(std::size_t index, const gl::Program& program, G
 }
 
 void ReceiverGeometry::drawPart(std::size_t part, const gl::Program& program, GLenum primitive) const {
-    program.set(Transmission, _materials[std::size_t(_parts[part].material)].transmission);
-    program.set(OfPartlySheer, _partlySheer ? 1 : 0);
+    program.set(transmissionLocation, _materials[std::size_t(_parts[part].material)].transmission);
+    program.set(ofPartlySheerLocation, _partlySheer ? 1 : 0);
     drawPart(part, program, primitive, 0);
 }
 
@@ -187,11 +181,11 @@ void ReceiverGeometry::drawShown(const gl::Program& program) const {
 
 void ReceiverGeometry::drawTranslucence(const gl::Program& program) const {
     drawShown(program, [&](const Material& material) {
-        program.set(Transmission, material.transmission);
-        program.set(Blended, material.alphaMode == AlphaMode::Blend ? 1 : 0);
+        program.set(transmissionLocation, material.transmission);
+        program.set(blendedLocation, material.alphaMode == AlphaMode::Blend ? 1 : 0);
         bindTexture(material.transmissionImage >= 0 ? _images[std::size_t(material.transmissionImage)]
                                                     : _white,
-                    transmissionUnit, material.transmissionWrapS, material.transmissionWrapT);
+                    transmissionTextureUnit, material.transmissionWrapS, material.transmissionWrapT);
     });
 }
 

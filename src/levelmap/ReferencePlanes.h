@@ -3,6 +3,8 @@
 #include <span>
 #include <vector>
 
+#include "core/ShaderData.h"
+
 namespace limpid {
 
 /// One plane to draw: `index` is what texels that belong to it carry, `depth` its distance from the box's
@@ -20,13 +22,7 @@ std::vector<ReferencePlane> uniformPlanes(double height, int count);
 /// the texels of plane i. Changes no texel's plane, so the result is bit for bit that of all planes.
 std::vector<ReferencePlane> occupiedPlanes(double height, std::span<const std::uint32_t> histogram);
 
-/// A run of the box that holds surface (thesis eq. 4-21), with reference planes of its own.
-struct SubBox {
-    float top = 0;    ///< depth where it begins, m
-    float height = 0; ///< m
-    int firstPlane = 0;
-    int planeCount = 0;
-};
+using gpu::SubBox;
 
 /// Smart slicing as the thesis has it: neighbouring levels with texels form a sub-box; each gets
 /// n = hr / (2 ε) planes (eq. 4-22), rounded up, at least one. `histogram[i]` counts texels of depth level i,

@@ -1,16 +1,12 @@
 #include "levelmap/SceneDepthMap.h"
 
+#include "gl/Bindings.h"
 #include "plan/FlatWater.h"
 
 namespace limpid {
 
-namespace {
-enum Uniform { ReceiverNumber = 1, Farthest, MapSize };
-constexpr GLuint unit = 1;
-} // namespace
-
 void SceneDepth::bind() const {
-    first.bind(unit);
+    first.bind(sceneDepthUnit);
 }
 
 SceneDepthPass::SceneDepthPass(gl::Context& context)
@@ -24,14 +20,14 @@ void SceneDepthPass::draw(SceneDepth& depth, glm::ivec2 size, const Inputs& inpu
     const gl::Texture* const targets[] = {&depth.first};
     const gl::Framebuffer framebuffer("scene depth map", targets, &buffer);
     framebuffer.bind();
-    framebuffer.clearColor(0, {1e30f, -1, 0, 0});
+    framebuffer.clearColor({1e30f, -1, 0, 0});
     framebuffer.clearDepth(1);
     glEnable(GL_DEPTH_TEST);
-    inputs.beams.frame.bindUniform(0);
-    _program.set(Farthest, float(inputs.farthest));
-    _program.set(MapSize, size);
+    inputs.beams.frame.bindUniform(lightFrameBlock);
+    _program.set(farthestLocation, float(inputs.farthest));
+    _program.set(mapSizeLocation, size);
     for (std::size_t i = 0; i < inputs.receivers.size(); ++i) {
-        _program.set(ReceiverNumber, int(i));
+        _program.set(receiverNumberLocation, int(i));
         inputs.receivers[i].drawSolid(_program);
     }
     glDisable(GL_DEPTH_TEST);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "gl/Bindings.h"
 #include "gl/Blending.h"
 
 namespace limpid {
@@ -22,8 +23,8 @@ void SurfaceShadowPass::draw(gl::Texture& map, const Beams& beams,
     const gl::Texture* const targets[] = {&map};
     const gl::Framebuffer framebuffer("surface shadow map", targets);
     framebuffer.bind();
-    framebuffer.clearColor(0, glm::vec4(0));
-    beams.frame.bindUniform(0);
+    framebuffer.clearColor(glm::vec4(0));
+    beams.frame.bindUniform(lightFrameBlock);
     const gl::Blending greatest(GL_ONE, GL_ONE, GL_MAX);
     for (const ReceiverGeometry& receiver : receivers)
         receiver.draw(_program);

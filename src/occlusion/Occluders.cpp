@@ -1,41 +1,28 @@
 #include "occlusion/Occluders.h"
 
+#include <cstddef>
 #include <cstring>
 #include <vector>
 
 #include "core/Bvh.h"
+#include "core/ShaderData.h"
+#include "gl/Bindings.h"
 #include "levelmap/HostTriangles.h"
 
 namespace limpid {
 
 namespace {
 
-enum Binding : GLuint { Nodes = 12, Triangles, Veils, Materials };
+using Triangle = gpu::OccluderTriangle;
+using gpu::VeilTriangle;
 
-/// As shaders/occlusion/occluders.glsl has it.
-struct Triangle {
-    glm::vec3 a;
-    std::int32_t receiver;
-    glm::vec3 b;
-    std::int32_t veil; ///< -1: opaque
-    glm::vec3 c;
-    std::int32_t spare = 0;
+Box3f boxOf(const Triangle& triangle) {
+    Box3f box;
+    for (const glm::vec3& p : {triangle.a, triangle.b, triangle.c})
+        box.add(p);
+    return box;
+}
 
-    Box3f box() const {
-        Box3f box;
-        for (const glm::vec3& p : {a, b, c})
-            box.add(p);
-        return box;
-    }
-};
-
-/// As shaders/occlusion/veils.glsl has them.
-struct VeilTriangle {
-    glm::vec4 colors[3]; ///< linear RGB and alpha of the corners, the material's factor among them
-    glm::vec2 uvs[3];
-    std::int32_t material;
-    std::int32_t spare = 0;
-};
 struct VeilImage {
     std::int32_t firstTexel = -1; ///< < 0: no image
     std::int32_t width = 0, height = 0;
@@ -48,6 +35,9 @@ struct VeilMaterial {
     std::int32_t spare = 0;
     VeilImage baseColor{}, transmissionImage{};
 };
+static_assert(sizeof(VeilMaterial) == 4 * gpu::veilMaterialWords &&
+              offsetof(VeilMaterial, baseColor) == 4 * gpu::baseImage &&
+              offsetof(VeilMaterial, transmissionImage) == 4 * gpu::transmissionImage);
 
 /// Whether light may pass some part of what is made of it.
 bool isVeil(const Material& material) {
@@ -89,7 +79,7 @@ int addMaterial(Collected& all, const Mesh& mesh, const Material& material) {
 
 int addVeil(Collected& all, const Mesh& mesh, std::uint32_t firstIndex, int part, int veilMaterial) {
     if (veilMaterial < 0) return -1;
-    VeilTriangle veil{{}, {}, veilMaterial};
+    VeilTriangle veil{{}, {}, veilMaterial, 0};
     for (std::uint32_t c = 0; c < 3; ++c) {
         const std::uint32_t corner = mesh.indices[firstIndex + c];
         const glm::vec4 own =
@@ -110,7 +100,7 @@ void add(Collected& all, const Receiver& receiver, const Mesh& mesh, int number,
         const int material = addMaterial(all, mesh, mesh.materials[std::size_t(part.material)]);
         for (std::uint32_t i = part.firstIndex; i + 2 < part.firstIndex + part.indexCount; i += 3)
             all.triangles.push_back({places[mesh.indices[i]], number, places[mesh.indices[i + 1]],
-                                     addVeil(all, mesh, i, p, material), places[mesh.indices[i + 2]]});
+                                     addVeil(all, mesh, i, p, material), places[mesh.indices[i + 2]], 0});
     }
 }
 
@@ -137,7 +127,7 @@ Occluders::Occluders(gl::Context& context, std::span<const Receiver> receivers, 
             add(all, receiver, *receiver.mesh, int(i), origin);
     std::vector<Box3f> boxes;
     for (const Triangle& triangle : all.triangles)
-        boxes.push_back(triangle.box());
+        boxes.push_back(boxOf(triangle));
     const Bvh bvh = buildBvh(boxes);
     std::vector<Triangle> sorted;
     for (const std::uint32_t i : bvh.order)
@@ -153,11 +143,11 @@ Occluders::Occluders(gl::Context& context, std::span<const Receiver> receivers, 
 }
 
 void Occluders::bind() const {
-    _nodes.bindStorage(Nodes);
-    _triangles.bindStorage(Triangles);
+    _nodes.bindStorage(occluderNodesBuffer);
+    _triangles.bindStorage(occluderTrianglesBuffer);
     if (!_veiled) return;
-    _veils.bindStorage(Veils);
-    _materials.bindStorage(Materials);
+    _veils.bindStorage(veilTrianglesBuffer);
+    _materials.bindStorage(veilMaterialsBuffer);
 }
 
 } // namespace limpid

@@ -2,10 +2,11 @@
 
 #include <array>
 
+#include "gl/Bindings.h"
+
 namespace limpid {
 
 namespace {
-enum ShadeUniform { ReceiverNumber };
 constexpr glm::ivec2 groupSize{8, 8};
 } // namespace
 
@@ -20,12 +21,12 @@ gl::Texture TakenLight::opacity(const LevelMap& map, const LitReceiver& receiver
     const std::array<const gl::Texture*, 1> targets{&opacity};
     const gl::Framebuffer framebuffer("taken light", targets, &depth);
     framebuffer.bind();
-    framebuffer.clearColor(0, glm::vec4(receiver.geometry.translucent() ? 0 : 1));
+    framebuffer.clearColor(glm::vec4(receiver.geometry.translucent() ? 0 : 1));
     if (!receiver.geometry.translucent()) return opacity;
     framebuffer.clearDepth(1);
     glEnable(GL_DEPTH_TEST);
-    receiver.beams.frame.bindUniform(0);
-    map.box.bindUniform(1);
+    receiver.beams.frame.bindUniform(lightFrameBlock);
+    map.box.bindUniform(boxFrameBlock);
     receiver.geometry.drawTranslucence(_opacity);
     glDisable(GL_DEPTH_TEST);
     return opacity;
@@ -33,21 +34,21 @@ gl::Texture TakenLight::opacity(const LevelMap& map, const LitReceiver& receiver
 
 void TakenLight::shade(const gl::Texture& share, const LevelMap& map, const LitReceiver& receiver,
                        const Occluders& occluders) {
-    receiver.beams.frame.bindUniform(0);
-    map.box.bindUniform(1);
-    map.position.bind(0);
-    map.normal.bind(2);
+    receiver.beams.frame.bindUniform(lightFrameBlock);
+    map.box.bindUniform(boxFrameBlock);
+    map.position.bind(positionMapUnit);
+    map.normal.bind(normalMapUnit);
     occluders.bind();
-    share.bindImage(0, GL_READ_WRITE);
-    _shade.set(ReceiverNumber, receiver.number);
+    share.bindImage(shareImage, GL_READ_WRITE);
+    _shade.set(receiverNumberLocation, receiver.number);
     glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
     _shade.dispatch2D(share.size(), groupSize);
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
 void TakenLight::apply(const gl::Texture& irradiance, const gl::Texture& share) const {
-    share.bind(0);
-    irradiance.bindImage(0, GL_READ_WRITE);
+    share.bind(shareUnit);
+    irradiance.bindImage(irradianceImage, GL_READ_WRITE);
     _apply.dispatch2D(share.size(), groupSize);
     glMemoryBarrier(GL_ALL_BARRIER_BITS);
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace limpid {
 
@@ -15,19 +16,33 @@ glm::dvec3 straightFoot(const Light& light, const Water& water, const glm::dvec3
 
 } // namespace
 
+LightFrameData::LightFrameData()
+    : gpu::LightFrame{.lightPosition = glm::vec4(0),
+                      .lightDirection = {0, -1, 0, 0},
+                      .lightRefracted = {0, -1, 0, 0},
+                      .sceneDepthRect = {0, 0, 1, 1},
+                      .waterSurface = {0, 1.333, 0, 0},
+                      .surfaceShadowRect = glm::vec4(0),
+                      .lightCone = {-2, -3, 0, 0}} {}
+
+bool LightFrameData::operator==(const LightFrameData& other) const {
+    return std::memcmp(this, &other, sizeof(*this)) == 0; // vectors of four alone: no gaps
+}
+
 LightFrameData lightFrame(const Light& light, const Water& water, const glm::dvec3& origin) {
     LightFrameData frame;
-    frame.position = glm::vec4(light.position - origin, light.type == LightType::Point ? 1 : 0);
+    frame.lightPosition = glm::vec4(light.position - origin, light.type == LightType::Point ? 1 : 0);
     const bool enters = entersWater(light, water);
     if (light.type == LightType::Directional && enters) {
-        frame.direction = glm::vec4(glm::normalize(light.direction), 0);
-        frame.refracted = glm::vec4(refractedAt(light, water, {}), 0);
+        frame.lightDirection = glm::vec4(glm::normalize(light.direction), 0);
+        frame.lightRefracted = glm::vec4(refractedAt(light, water, {}), 0);
     }
     if (light.isSpot()) {
-        frame.direction = glm::vec4(glm::normalize(light.direction), 0);
-        frame.cone = {std::cos(glm::radians(light.innerCone)), std::cos(glm::radians(light.outerCone)), 0, 0};
+        frame.lightDirection = glm::vec4(glm::normalize(light.direction), 0);
+        frame.lightCone = {std::cos(glm::radians(light.innerCone)), std::cos(glm::radians(light.outerCone)),
+                           0, 0};
     }
-    frame.surface = glm::vec4(water.level - origin.y, water.ior, 0, 0);
+    frame.waterSurface = glm::vec4(water.level - origin.y, water.ior, 0, 0);
     return frame;
 }
 

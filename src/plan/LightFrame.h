@@ -3,23 +3,17 @@
 
 #include <glm/glm.hpp>
 
+#include "core/ShaderData.h"
 #include "plan/FlatWater.h"
 #include "scene/Scene.h"
 
 namespace limpid {
 
-/// A light over the water, as shaders/water/light.glsl reads it (std140). Positions in m from the scene's
-/// origin.
-struct LightFrameData {
-    glm::vec4 position{0};
-    glm::vec4 direction{0, -1, 0, 0};
-    glm::vec4 refracted{0, -1, 0, 0};
-    glm::vec4 sceneDepthRect{0, 0, 1, 1};
-    glm::vec4 surface{0, 1.333, 0, 0};
-    glm::vec4 surfaceShadowRect{0};
-    glm::vec4 cone{-2, -3, 0, 0};
-
-    bool operator==(const LightFrameData&) const = default;
+/// A light over the water, as shaders read it. Positions in m from the scene's origin. Made without more, it
+/// shines straight down.
+struct LightFrameData : gpu::LightFrame {
+    LightFrameData();
+    bool operator==(const LightFrameData& other) const;
 };
 LightFrameData lightFrame(const Light& light, const Water& water, const glm::dvec3& origin);
 

@@ -9,7 +9,7 @@ namespace limpid {
 
 namespace {
 
-WaveTermData cosineTerm(const Wave& wave, const glm::dvec3& origin, double time) {
+gpu::WaveTerm cosineTerm(const Wave& wave, const glm::dvec3& origin, double time) {
     const glm::dvec2 direction = glm::normalize(wave.direction);
     const double k = tau / wave.wavelength;
     const double there = glm::dot(direction, glm::dvec2(origin.x, origin.z)) - wave.speed * time;
@@ -18,7 +18,7 @@ WaveTermData cosineTerm(const Wave& wave, const glm::dvec3& origin, double time)
         glm::vec4(wave.amplitude, k, std::fmod(phase, tau), 0), glm::vec4(direction, 0, 0), {0, 0, 0, 0}, {}};
 }
 
-WaveTermData circularTerm(const Wave& wave, const glm::dvec3& origin, double time) {
+gpu::WaveTerm circularTerm(const Wave& wave, const glm::dvec3& origin, double time) {
     const double k = tau / wave.wavelength;
     const double phase = glm::radians(wave.phase) - k * std::fmod(wave.speed * time, wave.wavelength);
     const glm::dvec2 center = wave.center - glm::dvec2(origin.x, origin.z);
@@ -26,7 +26,7 @@ WaveTermData circularTerm(const Wave& wave, const glm::dvec3& origin, double tim
         glm::vec4(wave.amplitude, k, std::fmod(phase, tau), 0), glm::vec4(center, 0, 0), {1, 0, 0, 0}, {}};
 }
 
-WaveTermData noiseTerm(const Wave& wave, const glm::dvec3& origin, double time) {
+gpu::WaveTerm noiseTerm(const Wave& wave, const glm::dvec3& origin, double time) {
     const glm::dvec3 at = glm::dvec3(origin.x, origin.z, wave.speed * time) / wave.wavelength;
     // The lattice repeats after 2^19 cells, so that the cell of the twelfth octave, 2^11 times as many, fits
     // an int.
@@ -41,8 +41,8 @@ WaveTermData noiseTerm(const Wave& wave, const glm::dvec3& origin, double time) 
 
 } // namespace
 
-std::vector<WaveTermData> waveTerms(const Water& water, const glm::dvec3& origin, double time) {
-    std::vector<WaveTermData> terms;
+std::vector<gpu::WaveTerm> waveTerms(const Water& water, const glm::dvec3& origin, double time) {
+    std::vector<gpu::WaveTerm> terms;
     for (const Wave& wave : water.waves) {
         switch (wave.type) {
         case WaveType::Cosine:

@@ -3,22 +3,15 @@
 
 #include <glm/glm.hpp>
 
+#include "core/ShaderData.h"
 #include "scene/Scene.h"
 
 namespace limpid {
 
-/// One wave as the shaders read it: `WaveTerm` of shaders/optics/waves.glsl (std430).
-struct WaveTermData {
-    glm::vec4 shape{0};
-    glm::vec4 place{0};
-    glm::ivec4 kind{0};
-    glm::ivec4 cell{0};
-};
-
 /// The waves at `time` (s), without height maps and spectra, for positions relative to `origin` (m). What
 /// grows with time or distance is reduced in double precision here, so that a float has to hold one period at
 /// most.
-std::vector<WaveTermData> waveTerms(const Water& water, const glm::dvec3& origin, double time);
+std::vector<gpu::WaveTerm> waveTerms(const Water& water, const glm::dvec3& origin, double time);
 
 /// A bound on the surface's slope (rise over run) that no place and time exceeds; noise is bounded by what
 /// its lattice can reach, a height map by the coefficients of its first frame, a spectrum as Spectrum has it.

@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "gl/Bindings.h"
 #include "gl/Blending.h"
 #include "gl/NearIsOne.h"
 
@@ -10,8 +11,6 @@ namespace limpid {
 namespace {
 
 constexpr int supersampling = 2; // samples a pixel and axis
-constexpr GLuint viewBinding = 2;
-enum GodrayUniform { GodraySamples, GodrayTaps, GodrayRadius, GodrayNear };
 
 /// Average of each pixel's samples; OpenGL counts rows from the bottom, a picture from the top.
 Picture resolve(const std::vector<float>& samples, glm::ivec2 size) {
@@ -48,8 +47,8 @@ PicturePass::Sketch::View::View(gl::Ledger& ledger, const char* kind, glm::ivec2
     radiance.setFilter(GL_LINEAR, GL_CLAMP_TO_EDGE);
     const gl::Texture* const targets[] = {&radiance, &distance};
     target = gl::Framebuffer(kind, targets, &depth);
-    target.clearColor(0, glm::vec4(0));
-    target.clearColor(1, glm::vec4(-1));
+    target.clearColor(glm::vec4(0), radianceTarget);
+    target.clearColor(glm::vec4(-1), metresTarget);
     target.clearDepth(0);
 }
 
@@ -74,12 +73,12 @@ void PicturePass::addGodrays(const Inputs& inputs, const gl::Texture& radiance, 
     const gl::Texture* const targets[] = {&radiance};
     const gl::Framebuffer target("picture", targets);
     target.bind();
-    inputs.godrays->bind(0);
-    depth.bind(1);
-    _godrays->set(GodraySamples, radiance.size());
-    _godrays->set(GodrayNear, near);
-    _godrays->set(GodrayTaps, inputs.scene.godrays.filterTaps);
-    _godrays->set(GodrayRadius, float(inputs.scene.godrays.filterRadius));
+    inputs.godrays->bind(godraysUnit);
+    depth.bind(viewDepthUnit);
+    _godrays->set(samplesLocation, radiance.size());
+    _godrays->set(nearLocation, near);
+    _godrays->set(tapsLocation, inputs.scene.godrays.filterTaps);
+    _godrays->set(radiusLocation, float(inputs.scene.godrays.filterRadius));
     _noVertices.bind();
     _godrays->use();
     const gl::Adding adding;
@@ -101,7 +100,7 @@ PicturePass::Sketch PicturePass::begin(const Inputs& inputs, glm::ivec2 size, in
         viewFrame(inputs.scene, inputs.origin, inputs.patch, inputs.surface, inputs.sides, samples);
     const ViewFrameData& frame = sketch._frame;
     sketch._view = gl::Buffer(ledger, "view", sizeof(frame), &frame);
-    sketch._view.bindUniform(viewBinding);
+    sketch._view.bindUniform(viewFrameBlock);
     const gl::NearIsOne reversed;
     const ReceiverPass::Inputs receivers = receiverInputs(inputs, frame);
     _receivers.prepare(receivers);
@@ -113,14 +112,14 @@ PicturePass::Sketch PicturePass::begin(const Inputs& inputs, glm::ivec2 size, in
     sketch._depth = gl::Texture(ledger, "depth buffer", GL_DEPTH_COMPONENT32F, samples);
     const gl::Texture* const targets[] = {&sketch._radiance};
     sketch._target = gl::Framebuffer("picture", targets, &sketch._depth);
-    sketch._target.clearColor(0, frame.cameraAbove() ? frame.skyRadiance : frame.deepRadiance);
+    sketch._target.clearColor(frame.cameraAbove() ? frame.skyRadiance : frame.deepRadiance);
     sketch._target.clearDepth(0);
     return sketch;
 }
 
 void PicturePass::drawRows(const Inputs& inputs, const Sketch& sketch, glm::ivec2 rows) {
     const ViewFrameData& frame = sketch._frame;
-    sketch._view.bindUniform(viewBinding);
+    sketch._view.bindUniform(viewFrameBlock);
     const gl::NearIsOne reversed;
     const RowsOnly only(rows * sketch._perPixel);
     const ReceiverPass::Inputs receivers = receiverInputs(inputs, frame);

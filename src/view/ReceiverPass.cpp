@@ -2,14 +2,13 @@
 
 #include <algorithm>
 
+#include "gl/Bindings.h"
 #include "plan/FlatWater.h"
 
 namespace limpid {
 
 namespace {
 constexpr glm::ivec2 groupSize{8, 8};
-constexpr GLuint surfaceBinding = 1, castMapUnit = 1;
-enum Uniform { Underwater, WithAmbient, WithCaustics, Strength, WayUniform, SheerSide };
 } // namespace
 
 ReceiverPass::ReceiverPass(gl::Context& context)
@@ -27,9 +26,9 @@ void ReceiverPass::prepare(const Inputs& inputs) {
     for (const Lit& lit : inputs.lit) {
         gl::Texture& cast =
             _casts.emplace_back(_context.ledger(), "cast map", GL_RGBA32F, lit.level->frame.size);
-        lit.caustics->irradiance.bind(0);
-        lit.level->position.bind(1);
-        cast.bindImage(0, GL_WRITE_ONLY);
+        lit.caustics->irradiance.bind(irradianceMapUnit);
+        lit.level->position.bind(positionMapUnit);
+        cast.bindImage(castMapImage, GL_WRITE_ONLY);
         _castMap.dispatch2D(cast.size(), groupSize);
     }
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
@@ -45,14 +44,14 @@ void ReceiverPass::drawOnce(const Inputs& inputs, const Drawn& drawn) {
 }
 
 void ReceiverPass::addCaustics(const Inputs& inputs, const Drawn& drawn) {
-    _receiver.set(WithCaustics, 1);
+    _receiver.set(withCausticsLocation, 1);
     for (std::size_t i = 0; i < inputs.lit.size(); ++i) {
         if (inputs.lit[i].receiver != int(drawn.receiver)) continue;
-        inputs.lit[i].level->box.bindUniform(1);
+        inputs.lit[i].level->box.bindUniform(boxFrameBlock);
         _casts[i].bind(castMapUnit);
         drawOnce(inputs, drawn);
     }
-    _receiver.set(WithCaustics, 0);
+    _receiver.set(withCausticsLocation, 0);
 }
 
 /// What does not go through the surface: light on what stands out of the water, and lamps below it.
@@ -60,23 +59,23 @@ void ReceiverPass::addDirectLight(const Inputs& inputs, const Drawn& drawn, Side
     for (std::size_t i = 0; i < inputs.scene.lights.size(); ++i) {
         const Light& light = inputs.scene.lights[i];
         if (isSubmerged(light, inputs.scene.water) != (side == Side::Below)) continue;
-        inputs.lights[i]->frame.bindUniform(0);
+        inputs.lights[i]->frame.bindUniform(lightFrameBlock);
         if (inputs.lights[i]->surfaceShadow) inputs.lights[i]->surfaceShadow->bind(surfaceShadowUnit);
         if (inputs.lights[i]->lampShadow) inputs.lights[i]->lampShadow->bind(lampShadowUnit);
-        _receiver.set(Strength,
+        _receiver.set(strengthLocation,
                       glm::vec3(light.type == LightType::Point ? light.intensity : light.irradiance));
         drawOnce(inputs, drawn);
     }
-    _receiver.set(Strength, glm::vec3(0));
+    _receiver.set(strengthLocation, glm::vec3(0));
 }
 
 /// One pass for each light; the first brings the ambient light, the others add to it.
 void ReceiverPass::drawLit(const Inputs& inputs, const Drawn& drawn, Side side) {
     if (drawn.sheer) glEnablei(GL_BLEND, 0);
     glBlendFunci(0, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    _receiver.set(WithAmbient, 1);
+    _receiver.set(withAmbientLocation, 1);
     drawOnce(inputs, drawn);
-    _receiver.set(WithAmbient, 0);
+    _receiver.set(withAmbientLocation, 0);
     glEnablei(GL_BLEND, 0);
     glBlendFunci(0, GL_ONE, GL_ONE);
     if (side == Side::Below) addCaustics(inputs, drawn);
@@ -86,15 +85,15 @@ void ReceiverPass::drawLit(const Inputs& inputs, const Drawn& drawn, Side side) 
 
 void ReceiverPass::begin(const Inputs& inputs, const gl::Framebuffer& target, Side side, Way way) {
     target.bind();
-    inputs.surfacePositions.bindStorage(surfaceBinding);
+    inputs.surfacePositions.bindStorage(positionsBuffer);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_GEQUAL);
     glPatchParameteri(GL_PATCH_VERTICES, 3);
-    _receiver.set(Underwater, side == Side::Below ? 1 : 0);
-    _receiver.set(WayUniform, int(way));
-    _receiver.set(SheerSide, 0);
-    _receiver.set(WithCaustics, 0);
-    _receiver.set(Strength, glm::vec3(0));
+    _receiver.set(underwaterLocation, side == Side::Below ? 1 : 0);
+    _receiver.set(wayLocation, int(way));
+    _receiver.set(sheerSideLocation, 0);
+    _receiver.set(withCausticsLocation, 0);
+    _receiver.set(strengthLocation, glm::vec3(0));
 }
 
 void ReceiverPass::end() {
@@ -126,10 +125,10 @@ void ReceiverPass::drawSheer(const Inputs& inputs, const gl::Framebuffer& target
     glBlendEquationi(1, GL_MAX);
     for (const Drawn& part : parts)
         for (const int seenFrom : {-1, 1}) {
-            _receiver.set(SheerSide, seenFrom);
+            _receiver.set(sheerSideLocation, seenFrom);
             drawLit(inputs, part, side);
         }
-    _receiver.set(SheerSide, 0);
+    _receiver.set(sheerSideLocation, 0);
     glBlendEquationi(1, GL_FUNC_ADD);
     glDisablei(GL_BLEND, 1);
     glDepthMask(GL_TRUE);

@@ -1,6 +1,7 @@
 #pragma once
 #include <glm/glm.hpp>
 
+#include "core/ShaderData.h"
 #include "levelmap/ReceiverGeometry.h"
 #include "plan/FlatWater.h"
 #include "plan/Sides.h"
@@ -9,15 +10,9 @@
 
 namespace limpid {
 
-/// The camera and what it sees everything through, as shaders/view/view.glsl reads it (std140). Positions
-/// in m from the scene's origin, radiance in W/(m² sr).
-struct ViewFrameData {
-    glm::mat4 viewProjection;
-    glm::vec4 cameraPosition, ambientRadiance, skyRadiance, waterExtinction, viewWater, deepRadiance;
-    glm::vec4 waterRest, patchRect;
-    glm::ivec4 patchQuads;
-    glm::vec4 nearSideMin, nearSideMax, farSideMin, farSideMax;
-
+/// The camera and what it sees everything through, as shaders read it. Positions in m from the scene's
+/// origin, radiance in W/(m² sr).
+struct ViewFrameData : gpu::ViewFrame {
     bool cameraAbove() const { return cameraPosition.w > 0.5f; }
     /// The camera's side of the surface, and the other one.
     Side nearSide() const { return cameraAbove() ? Side::Above : Side::Below; }

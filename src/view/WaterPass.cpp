@@ -3,26 +3,22 @@
 #include <array>
 #include <cmath>
 
+#include "gl/Bindings.h"
 #include "gl/Blending.h"
 
 namespace limpid {
-
-namespace {
-enum Uniform { Hole, FlatRest, Sun };
-constexpr GLuint refractedUnit = 0, mirroredUnit = 5; // radiance; distance is the next one
-} // namespace
 
 WaterPass::WaterPass(gl::Context& context)
     : _context(context), _water({"view/water.vert", "view/water.frag"}) {}
 
 void WaterPass::drawGrid(const Inputs& inputs) {
     gl::VertexArray grid;
-    grid.attribute(0, inputs.surface.positions, 4, 0, 16);
-    grid.attribute(1, inputs.surface.normals, 4, 0, 16);
+    grid.attribute(positionAttribute, inputs.surface.positions, 4, 0, 16);
+    grid.attribute(normalAttribute, inputs.surface.normals, 4, 0, 16);
     grid.indices(inputs.surface.indices);
     grid.bind();
-    _water.set(Hole, glm::vec4(0));
-    _water.set(FlatRest, 0);
+    _water.set(holeLocation, glm::vec4(0));
+    _water.set(flatRestLocation, 0);
     glDrawElements(GL_TRIANGLES, 3 * inputs.surface.triangleCount, GL_UNSIGNED_INT, nullptr);
 }
 
@@ -43,15 +39,15 @@ void WaterPass::drawHorizon(const Inputs& inputs) {
     }
     const gl::Buffer buffer(_context.ledger(), "water", std::span<const glm::vec4>(vertices));
     gl::VertexArray quad;
-    quad.attribute(0, buffer, 4, 0, 32);
-    quad.attribute(1, buffer, 4, 16, 32);
+    quad.attribute(positionAttribute, buffer, 4, 0, 32);
+    quad.attribute(normalAttribute, buffer, 4, 16, 32);
     quad.bind();
     // The two overlap a little, or the sky shows through between them; at the rim both are flat.
     const glm::vec4& patch = inputs.frame.patchRect;
     constexpr float overlap = 0.002f;
-    _water.set(Hole, glm::vec4(glm::vec2(patch) + overlap * glm::vec2(patch.z, patch.w),
-                               (1 - 2 * overlap) * glm::vec2(patch.z, patch.w)));
-    _water.set(FlatRest, 1);
+    _water.set(holeLocation, glm::vec4(glm::vec2(patch) + overlap * glm::vec2(patch.z, patch.w),
+                                       (1 - 2 * overlap) * glm::vec2(patch.z, patch.w)));
+    _water.set(flatRestLocation, 1);
     glDrawArrays(GL_TRIANGLES, 0, 6);
 }
 
@@ -61,9 +57,9 @@ void WaterPass::addGlitter(const Inputs& inputs) {
     for (std::size_t i = 0; i < inputs.scene.lights.size(); ++i) {
         const Light& light = inputs.scene.lights[i];
         if (light.type != LightType::Directional || !entersWater(light, inputs.scene.water)) continue;
-        inputs.lights[i]->frame.bindUniform(0);
+        inputs.lights[i]->frame.bindUniform(lightFrameBlock);
         if (inputs.lights[i]->surfaceShadow) inputs.lights[i]->surfaceShadow->bind(surfaceShadowUnit);
-        _water.set(Sun, glm::vec3(light.irradiance));
+        _water.set(sunLocation, glm::vec3(light.irradiance));
         drawHorizon(inputs);
         drawGrid(inputs);
     }
@@ -72,15 +68,15 @@ void WaterPass::addGlitter(const Inputs& inputs) {
 
 /// First what shines through and what is mirrored, then each sun's glitter on top.
 void WaterPass::draw(const Inputs& inputs) {
-    inputs.refracted->bind(refractedUnit);
-    inputs.refractedDistance->bind(refractedUnit + 1);
-    inputs.mirrored->bind(mirroredUnit);
-    inputs.mirroredDistance->bind(mirroredUnit + 1);
+    inputs.refracted->bind(refractedRadianceUnit);
+    inputs.refractedDistance->bind(refractedDistanceUnit);
+    inputs.mirrored->bind(mirroredRadianceUnit);
+    inputs.mirroredDistance->bind(mirroredDistanceUnit);
     _water.use();
     glEnable(GL_DEPTH_TEST);
     // A camera close to the water has it nearer than the near plane.
     glEnable(GL_DEPTH_CLAMP);
-    _water.set(Sun, glm::vec3(0));
+    _water.set(sunLocation, glm::vec3(0));
     drawHorizon(inputs);
     drawGrid(inputs);
     addGlitter(inputs);

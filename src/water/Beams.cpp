@@ -3,13 +3,13 @@
 #include <cassert>
 #include <cmath>
 
+#include "gl/Bindings.h"
 #include "plan/FlatWater.h"
 
 namespace limpid {
 
 namespace {
 constexpr int groupSize = 64;
-enum Uniform { Count };
 } // namespace
 
 glm::dvec3 strengthOf(const Light& light, const Water& water) {
@@ -41,20 +41,20 @@ void BeamTracer::prepare(Beams& beams, const WaterMesh& surface, const Light& li
 
 void BeamTracer::trace(Beams& beams, const WaterMesh& surface, const gl::Texture* surfaceShadow) {
     assert(beams.vertexCount == surface.vertexCount && beams.triangleCount == surface.triangleCount);
-    beams.frame.bindUniform(0);
-    surface.indices.bindStorage(0);
-    surface.positions.bindStorage(1);
-    surface.normals.bindStorage(2);
-    beams.origins.bindStorage(3);
-    beams.directions.bindStorage(4);
-    beams.flux.bindStorage(5);
-    beams.lit.bindStorage(9);
+    beams.frame.bindUniform(lightFrameBlock);
+    surface.indices.bindStorage(indicesBuffer);
+    surface.positions.bindStorage(positionsBuffer);
+    surface.normals.bindStorage(normalsBuffer);
+    beams.origins.bindStorage(beamOriginsBuffer);
+    beams.directions.bindStorage(beamDirectionsBuffer);
+    beams.flux.bindStorage(beamFluxBuffer);
+    beams.lit.bindStorage(beamLitBuffer);
     beams.surfaceShadow = surfaceShadow;
     if (surfaceShadow) surfaceShadow->bind(surfaceShadowUnit);
-    _rays.set(Count, beams.vertexCount);
+    _rays.set(vertexCountLocation, beams.vertexCount);
     _rays.dispatch(beams.vertexCount, groupSize);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-    _flux.set(Count, beams.triangleCount);
+    _flux.set(triangleCountLocation, beams.triangleCount);
     _flux.dispatch(beams.triangleCount, groupSize);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }

@@ -8,11 +8,6 @@
 
 namespace limpid {
 
-/// Texture unit of the surface shadow map, as shaders/water/surface_shadow.glsl has it.
-inline constexpr GLuint surfaceShadowUnit = 3;
-/// Texture unit of a lamp shadow map, as shaders/view/receiver.frag has it.
-inline constexpr GLuint lampShadowUnit = 7;
-
 /// The illumination volumes of one light (thesis eq. 4-14): every method reads only these. Beam i is the
 /// prism of refracted rays through the corners of water triangle i.
 struct Beams {

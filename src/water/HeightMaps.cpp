@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/Error.h"
+#include "gl/Bindings.h"
 
 namespace limpid {
 
@@ -52,7 +53,7 @@ HeightMapData HeightMaps::bindFrames(const Wave& wave, std::size_t number, const
                                      double time) {
     const FramePair pair = framesAt(wave.heights->frameCount(), wave.fps, time);
     Frames& frames = _frames[number];
-    const auto unit = GLuint(2 * number);
+    const auto unit = GLuint(heightFramesUnit + 2 * int(number));
     hold(frames, wave.heights, pair.first, pair.second).spline.bind(unit);
     hold(frames, wave.heights, pair.second, pair.first).spline.bind(unit + 1);
     _tiles[number] = {};
@@ -63,8 +64,8 @@ HeightMapData HeightMaps::bindFrames(const Wave& wave, std::size_t number, const
 HeightMapData HeightMaps::bindHost(const Wave& wave, std::size_t number, const glm::dvec3& origin) {
     if (!_hostHeights) _hostHeights = std::make_unique<HostHeights>(_context);
     _hostHeights->update(_hostSplines[number], *wave.heights);
-    _hostSplines[number].bind(GLuint(2 * number));
-    _hostSplines[number].bind(GLuint(2 * number + 1));
+    _hostSplines[number].bind(GLuint(heightFramesUnit + 2 * int(number)));
+    _hostSplines[number].bind(GLuint(heightFramesUnit + 2 * int(number) + 1));
     _frames[number] = {};
     _tiles[number] = {};
     return heightMapData(wave, origin, 0);
@@ -75,8 +76,8 @@ HeightMapData HeightMaps::bindSpectrum(const Wave& wave, std::size_t number, con
     if (!_spectralWaves) _spectralWaves = std::make_unique<SpectralWaves>(_context);
     SpectralTile& tile = _tiles[number];
     _spectralWaves->update(tile, wave.spectrum, time);
-    tile.heights.bind(GLuint(2 * number));
-    tile.heights.bind(GLuint(2 * number + 1));
+    tile.heights.bind(GLuint(heightFramesUnit + 2 * int(number)));
+    tile.heights.bind(GLuint(heightFramesUnit + 2 * int(number) + 1));
     _frames[number] = {};
     _hostSplines[number] = {};
     // Texel 0 is at the world's origin; how far that is from the scene's is told within one tile.

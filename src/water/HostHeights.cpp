@@ -1,11 +1,11 @@
 #include "water/HostHeights.h"
 
+#include "gl/Bindings.h"
+
 namespace limpid {
 
 namespace {
-enum Uniform { Axis };
 constexpr glm::ivec2 groupSize{8, 8};
-constexpr GLuint heightsUnit = 8;
 } // namespace
 
 HostHeights::HostHeights(gl::Context& context) : _context(context), _program({"water/host_heights.comp"}) {
@@ -27,17 +27,17 @@ void HostHeights::update(gl::Texture& spline, const HeightSource& source) {
             texture->setFilter(GL_NEAREST, GL_CLAMP_TO_EDGE);
         }
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT); // what the host's own passes wrote
-    glBindSampler(heightsUnit, _nearest);
-    glBindTextureUnit(heightsUnit, source.texture());
+    glBindSampler(hostHeightsUnit, _nearest);
+    glBindTextureUnit(hostHeightsUnit, source.texture());
     for (const int axis : {0, 1}) {
         const gl::Texture& target = axis == 0 ? _alongX : spline;
-        if (axis == 1) _alongX.bind(heightsUnit);
-        target.bindImage(0, GL_WRITE_ONLY);
-        _program.set(Axis, axis);
+        if (axis == 1) _alongX.bind(hostHeightsUnit);
+        target.bindImage(coefficientsImage, GL_WRITE_ONLY);
+        _program.set(axisLocation, axis);
         _program.dispatch2D(size, groupSize);
         glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
     }
-    glBindSampler(heightsUnit, 0);
+    glBindSampler(hostHeightsUnit, 0);
 }
 
 } // namespace limpid

@@ -4,22 +4,18 @@
 #include <string>
 #include <vector>
 
+#include "core/ShaderData.h"
 #include "core/Tau.h"
+#include "gl/Bindings.h"
 
 namespace limpid {
 
 namespace {
 
-enum Uniform { Side, Texels, Time };
 constexpr int groupSize = 128;
 
-struct ModeData {
-    glm::vec2 amplitude;
-    double frequency;
-};
-
-std::vector<ModeData> modesOf(const Spectrum& spectrum) {
-    std::vector<ModeData> modes;
+std::vector<gpu::Mode> modesOf(const Spectrum& spectrum) {
+    std::vector<gpu::Mode> modes;
     for (int row = 0; row < spectrum.modes; ++row)
         for (int column = 0; column < spectrum.modes; ++column) {
             const std::complex<double>& h = spectrum.amplitudes[modes.size()];
@@ -50,7 +46,7 @@ void SpectralWaves::upload(SpectralTile& tile, const Spectrum& spectrum) {
     gl::Ledger& ledger = _context.ledger();
     const auto modes = modesOf(spectrum);
     const auto turns = turnsOf(texels);
-    tile.modes = gl::Buffer(ledger, "spectrum", std::span<const ModeData>(modes));
+    tile.modes = gl::Buffer(ledger, "spectrum", std::span<const gpu::Mode>(modes));
     tile.turns = gl::Buffer(ledger, "spectrum", std::span<const glm::vec2>(turns));
     tile.lines = gl::Buffer(ledger, "spectrum",
                             std::int64_t(spectrum.modes) * texels * std::int64_t(sizeof(glm::vec2)));
@@ -67,14 +63,14 @@ void SpectralWaves::update(SpectralTile& tile, const std::shared_ptr<const Spect
     if (tile.time == time) return;
     tile.time = time;
     const int texels = tile.heights.size().x;
-    tile.modes.bindStorage(0);
-    tile.turns.bindStorage(1);
-    tile.lines.bindStorage(2);
-    tile.heights.bindImage(0, GL_WRITE_ONLY);
+    tile.modes.bindStorage(modesBuffer);
+    tile.turns.bindStorage(turnsBuffer);
+    tile.lines.bindStorage(spectrumLinesBuffer);
+    tile.heights.bindImage(tileImage, GL_WRITE_ONLY);
     for (const gl::Program* pass : {&_rows, &_columns}) {
-        pass->set(Side, spectrum->modes);
-        pass->set(Texels, texels);
-        if (pass == &_rows) pass->set(Time, time);
+        pass->set(sideLocation, spectrum->modes);
+        pass->set(texelsLocation, texels);
+        if (pass == &_rows) pass->set(timeLocation, time);
         const std::int64_t lines = pass == &_rows ? spectrum->modes : texels;
         pass->dispatch(lines * groupSize, groupSize);
         glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);

@@ -2,26 +2,14 @@
 
 #include <vector>
 
+#include "gl/Bindings.h"
 #include "plan/WaveTerms.h"
 
 namespace limpid {
 
 namespace {
 
-enum Uniform {
-    PatchMin,
-    PatchSize,
-    Quads,
-    Level,
-    WaveCount,
-    FrameCount,
-    HeightMapPlaces,
-    FrameShares = 10,
-    Tiled = 18,
-    HasLines = 22
-};
 constexpr int groupSize = 64;
-constexpr GLuint linesBinding = 3;
 
 std::vector<std::uint32_t> gridTriangles(glm::ivec2 quads) {
     std::vector<std::uint32_t> indices;
@@ -74,25 +62,25 @@ void WaterSurface::update(const Water& water, const WaterPatch& patch, const glm
     const std::vector<HeightMapData> maps =
         _heightMaps.bind(water, origin, time); // may run passes of its own
     const auto terms = waveTerms(water, origin, time);
-    const gl::Buffer waves(_context.ledger(), "waves", std::span<const WaveTermData>(terms));
-    waves.bindStorage(0);
-    _mesh.positions.bindStorage(1);
-    _mesh.normals.bindStorage(2);
-    _program.set(PatchMin, glm::vec2(patch.min() - glm::dvec2(origin.x, origin.z)));
-    _program.set(PatchSize, glm::vec2(patch.size));
-    _program.set(Quads, patch.grid);
-    _program.set(Level, float(water.level - origin.y));
+    const gl::Buffer waves(_context.ledger(), "waves", std::span<const gpu::WaveTerm>(terms));
+    waves.bindStorage(wavesBuffer);
+    _mesh.positions.bindStorage(positionsBuffer);
+    _mesh.normals.bindStorage(normalsBuffer);
+    _program.set(patchMinLocation, glm::vec2(patch.min() - glm::dvec2(origin.x, origin.z)));
+    _program.set(patchSizeLocation, glm::vec2(patch.size));
+    _program.set(quadsLocation, patch.grid);
+    _program.set(levelLocation, float(water.level - origin.y));
     const gl::Buffer lines = linesOf(_context.ledger(), patch, origin);
-    _program.set(HasLines, lines.id() ? 1 : 0);
-    if (lines.id()) lines.bindStorage(linesBinding);
-    _program.set(WaveCount, int(terms.size()));
-    _program.set(FrameCount, int(2 * maps.size()));
+    _program.set(hasLinesLocation, lines.id() ? 1 : 0);
+    if (lines.id()) lines.bindStorage(gridLinesBuffer);
+    _program.set(waveCountLocation, int(terms.size()));
+    _program.set(frameCountLocation, int(2 * maps.size()));
     for (int i = 0; i < int(maps.size()); ++i) {
         const HeightMapData& map = maps[std::size_t(i)];
-        _program.set(HeightMapPlaces + i, map.place);
-        _program.set(FrameShares + 2 * i, map.shares.x);
-        _program.set(FrameShares + 2 * i + 1, map.shares.y);
-        _program.set(Tiled + i, map.tiled ? 1 : 0);
+        _program.set(heightMapPlacesLocation + i, map.place);
+        _program.set(frameSharesLocation + 2 * i, map.shares.x);
+        _program.set(frameSharesLocation + 2 * i + 1, map.shares.y);
+        _program.set(tiledLocation + i, map.tiled ? 1 : 0);
     }
     _program.dispatch(_mesh.vertexCount, groupSize);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT);

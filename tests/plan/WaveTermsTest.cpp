@@ -9,7 +9,7 @@
 namespace limpid {
 namespace {
 
-shader::WaveTerm toShader(const WaveTermData& data) {
+shader::WaveTerm toShader(const gpu::WaveTerm& data) {
     return {data.shape, data.place, data.kind, data.cell};
 }
 

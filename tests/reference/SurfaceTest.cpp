@@ -25,7 +25,7 @@ Water waterOf(WaveType type, double phase = 0) {
 
 /// The height of the shaders' term of the water's only wave.
 glm::dvec3 shaderValue(const Water& water, const glm::dvec3& origin, double time, const glm::dvec2& place) {
-    const WaveTermData data = waveTerms(water, origin, time).at(0);
+    const gpu::WaveTerm data = waveTerms(water, origin, time).at(0);
     return shader::waveHeightAndSlope({data.shape, data.place, data.kind, data.cell}, glm::vec2(place));
 }
 

@@ -55,7 +55,7 @@ TEST_F(BeamsGLTest, surfaceIsTheSumOfItsWaves) {
     for (std::size_t i = 0; i < traced.positions.size(); ++i) {
         const glm::vec3 p = traced.positions[i];
         glm::vec3 sum(0);
-        for (const WaveTermData& t : terms)
+        for (const gpu::WaveTerm& t : terms)
             sum += shader::waveHeightAndSlope({t.shape, t.place, t.kind, t.cell}, {p.x, p.z});
         EXPECT_NEAR(p.y, 0.3f - 1.0f + sum.x, 2e-6f);
         EXPECT_LT(glm::distance(glm::vec3(traced.normals[i]), glm::normalize(glm::vec3(-sum.y, 1, -sum.z))),

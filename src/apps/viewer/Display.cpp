@@ -2,11 +2,11 @@
 
 #include <cmath>
 
+#include "gl/Bindings.h"
+
 namespace limpid::viewer {
 
-namespace {
-enum Uniform { Size, PerPixel, Gain, Mode, Split, Difference, White };
-}
+namespace {}
 
 Display::Display(gl::Context& context)
     : _context(context), _program({"gl/screen.vert", "viewer/show.frag"}) {}
@@ -20,15 +20,15 @@ void Display::show(const PicturePass::Sketch& first, const PicturePass::Sketch* 
         _target = gl::Framebuffer("window", targets);
     }
     _target.bind();
-    first.samples().bind(0);
-    (second ? *second : first).samples().bind(1);
-    _program.set(Size, size);
-    _program.set(PerPixel, first.perPixel());
-    _program.set(Gain, float(std::exp2(shown.exposure)));
-    _program.set(Mode, second ? int(shown.mode) : 0);
-    _program.set(Split, float(shown.split * size.x));
-    _program.set(Difference, float(shown.difference));
-    _program.set(White, whiteLuminance);
+    first.samples().bind(firstRadianceUnit);
+    (second ? *second : first).samples().bind(secondRadianceUnit);
+    _program.set(sizeLocation, size);
+    _program.set(perPixelLocation, first.perPixel());
+    _program.set(gainLocation, float(std::exp2(shown.exposure)));
+    _program.set(modeLocation, second ? int(shown.mode) : 0);
+    _program.set(splitLocation, float(shown.split * size.x));
+    _program.set(differenceLocation, float(shown.difference));
+    _program.set(whiteLocation, whiteLuminance);
     _program.use();
     _noVertices.bind();
     glDrawArrays(GL_TRIANGLES, 0, 3);

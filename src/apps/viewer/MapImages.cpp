@@ -2,11 +2,12 @@
 
 #include <algorithm>
 
+#include "gl/Bindings.h"
+
 namespace limpid::viewer {
 
 namespace {
 
-enum Uniform { Size, KindUniform, Height, Gain };
 constexpr int largestSide = 512;
 
 glm::ivec2 imageSize(glm::ivec2 map) {
@@ -26,13 +27,13 @@ MapImages::MapImages(gl::Context& context)
 
 void MapImages::update(const MapWork& maps, double gain) {
     _size = imageSize(maps.level.frame.size);
-    maps.level.position.bind(0);
-    maps.level.diffuse.bind(1);
-    maps.level.normal.bind(2);
-    maps.caustics.irradiance.bind(3);
-    _program.set(Size, _size);
-    _program.set(Height, float(maps.level.frame.box.extent.z));
-    _program.set(Gain, float(gain));
+    maps.level.position.bind(positionMapUnit);
+    maps.level.diffuse.bind(diffuseMapUnit);
+    maps.level.normal.bind(normalMapUnit);
+    maps.caustics.irradiance.bind(irradianceMapUnit);
+    _program.set(sizeLocation, _size);
+    _program.set(heightLocation, float(maps.level.frame.box.extent.z));
+    _program.set(gainLocation, float(gain));
     _program.use();
     _noVertices.bind();
     for (int kind = 0; kind < count; ++kind) {
@@ -41,7 +42,7 @@ void MapImages::update(const MapWork& maps, double gain) {
         const gl::Framebuffer target("window", targets);
         target.bind();
         glViewport(0, 0, _size.x, _size.y);
-        _program.set(KindUniform, kind);
+        _program.set(kindLocation, kind);
         glDrawArrays(GL_TRIANGLES, 0, 3);
     }
 }
