@@ -1,7 +1,7 @@
 #include "Bench.h"
 
 #include "engine/Engine.h"
-#include "io/SceneFile.h"
+#include "io/toml/SceneFile.h"
 #include "scene/Shapes.h"
 
 /// Cost of one change of a scene, up to new caustic maps, beside that of moving time.

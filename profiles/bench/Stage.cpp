@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "io/Gltf.h"
+#include "io/gltf/Gltf.h"
 #include "levelmap/SceneDepthMap.h"
 #include "plan/FlatWater.h"
 #include "plan/Sides.h"

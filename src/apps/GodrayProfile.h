@@ -7,7 +7,7 @@
 #include "core/ImageErrors.h"
 #include "core/Statistics.h"
 #include "gl/Context.h"
-#include "io/ProfileFile.h"
+#include "io/toml/ProfileFile.h"
 
 namespace limpid::apps {
 

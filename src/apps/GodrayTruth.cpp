@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/Files.h"
-#include "io/Images.h"
+#include "io/images/Images.h"
 #include "plan/FlatWater.h"
 #include "plan/MapPlan.h"
 #include "reference/Scattering.h"

@@ -4,7 +4,7 @@
 #include <string>
 #include <tuple>
 
-#include "io/BakedFolder.h"
+#include "io/bake/BakedFolder.h"
 #include "scene/Scene.h"
 
 namespace limpid::apps {

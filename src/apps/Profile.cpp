@@ -8,8 +8,8 @@
 #include "apps/ProfilePlots.h"
 #include "apps/ProfileRun.h"
 #include "core/Error.h"
-#include "io/BakedFolder.h"
 #include "io/Files.h"
+#include "io/bake/BakedFolder.h"
 
 namespace fs = std::filesystem;
 

@@ -10,7 +10,7 @@
 #include "core/Progress.h"
 #include "engine/Readback.h"
 #include "gl/Api.h"
-#include "io/BakeErrors.h"
+#include "io/bake/BakeErrors.h"
 #include "scene/MethodFacts.h"
 
 namespace limpid::apps {

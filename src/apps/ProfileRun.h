@@ -10,7 +10,7 @@
 #include "core/ImageErrors.h"
 #include "core/Statistics.h"
 #include "engine/Engine.h"
-#include "io/ProfileFile.h"
+#include "io/toml/ProfileFile.h"
 
 namespace limpid::apps {
 

@@ -4,7 +4,7 @@
 
 #include <fnmatch.h>
 
-#include "io/TomlReader.h"
+#include "io/toml/TomlReader.h"
 
 namespace limpid::io {
 

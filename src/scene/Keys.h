@@ -65,7 +65,7 @@ struct KeyRow {
 };
 
 /// The kinds of value that are read and written as they are. monostate: the loader does it by hand
-/// (io/SceneParser.cpp), with the name and the range of the row.
+/// (io/toml/SceneParser.cpp), with the name and the range of the row.
 template <typename S>
 using Member = std::variant<std::monostate, double S::*, int S::*, std::uint32_t S::*, glm::dvec2 S::*,
                             glm::dvec3 S::*, glm::ivec2 S::*, glm::dquat S::*, std::optional<glm::dvec2> S::*,

@@ -120,7 +120,7 @@ TEST(Includes, areJudgedByTheTable) {
     EXPECT_EQ(judgeInclude("water", "#include \"Beams.h\""), "");
     EXPECT_EQ(judgeInclude("core", "#include \"include/refraction.glsl\""), "");
     EXPECT_EQ(judgeInclude("core", "#include <vector>"), "");
-    EXPECT_EQ(judgeInclude("engine", "  # include \"io/Images.h\""), "src/engine may not include io");
+    EXPECT_EQ(judgeInclude("engine", "  # include \"io/images/Images.h\""), "src/engine may not include io");
     EXPECT_EQ(judgeInclude("attic", "#include \"core/Error.h\""),
               "src/attic is not in the table of IncludesTest.cpp");
 }

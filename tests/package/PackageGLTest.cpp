@@ -5,8 +5,8 @@
 
 #include <gmock/gmock.h>
 
-#include "io/Images.h"
 #include "io/TempFolder.h"
+#include "io/images/Images.h"
 #include "viewer/Display.h"
 
 namespace limpid {
