@@ -1,4 +1,4 @@
-#include "apps/ProfileOutput.h"
+#include "apps/profile/Output.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #pragma once
 #include <filesystem>
 
-#include "apps/Machine.h"
-#include "apps/ProfileRun.h"
+#include "apps/profile/Machine.h"
+#include "apps/profile/Run.h"
 
 namespace limpid::apps {
 

@@ -1,4 +1,4 @@
-#include "apps/GodrayTruth.h"
+#include "apps/profile/GodrayTruth.h"
 
 #include <fmt/format.h>
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "apps/GodrayProfile.h"
+#include "apps/profile/Godrays.h"
 #include "core/ImageErrors.h"
 #include "core/Statistics.h"
 #include "engine/Engine.h"

@@ -1,4 +1,4 @@
-#include "apps/Machine.h"
+#include "apps/profile/Machine.h"
 
 #include <ctime>
 #include <fstream>

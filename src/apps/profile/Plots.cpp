@@ -1,11 +1,11 @@
-#include "apps/ProfilePlots.h"
+#include "apps/profile/Plots.h"
 
 #include <algorithm>
 #include <set>
 
 #include <fmt/format.h>
 
-#include "apps/Gnuplot.h"
+#include "apps/profile/Gnuplot.h"
 
 namespace limpid::apps {
 

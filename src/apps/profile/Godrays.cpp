@@ -1,9 +1,9 @@
-#include "apps/GodrayProfile.h"
+#include "apps/profile/Godrays.h"
 
 #include <fmt/format.h>
 
-#include "apps/GodrayTruth.h"
-#include "apps/ProfileRun.h"
+#include "apps/profile/GodrayTruth.h"
+#include "apps/profile/Run.h"
 #include "core/Error.h"
 #include "core/Progress.h"
 #include "engine/Engine.h"

@@ -1,4 +1,4 @@
-#include "apps/ProfileRun.h"
+#include "apps/profile/Run.h"
 
 #include <algorithm>
 #include <chrono>
@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "apps/BakedMaps.h"
-#include "apps/GroundTruth.h"
+#include "apps/profile/GroundTruth.h"
 #include "core/Progress.h"
 #include "engine/Readback.h"
 #include "gl/Api.h"

@@ -1,4 +1,4 @@
-#include "apps/GroundTruth.h"
+#include "apps/profile/GroundTruth.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "apps/Gnuplot.h"
+#include "apps/profile/Gnuplot.h"
 
 #include <algorithm>
 #include <cmath>

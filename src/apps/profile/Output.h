@@ -2,8 +2,8 @@
 #include <string>
 #include <vector>
 
-#include "apps/Machine.h"
-#include "apps/ProfileRun.h"
+#include "apps/profile/Machine.h"
+#include "apps/profile/Run.h"
 
 namespace limpid::apps {
 
