@@ -41,9 +41,9 @@ const std::map<std::string, Strings> mayInclude = {
       "engine", "reference", "audit"}},
 };
 
-const Strings sourceFolders = {"src", "shaders", "tests", "examples", "models", "profiles/bench"};
-const Strings codeFolders = {"src",   "shaders", "tests", "examples", "models", "profiles/bench",
-                             "tools", "cmake",   ".ci"};
+const Strings sourceFolders = {"src", "shaders", "tests", "examples", "models", "bench"};
+const Strings codeFolders = {"src",   "shaders", "tests", "examples", "models",
+                             "bench", "tools",   "cmake", ".ci"};
 const Strings sourceExtensions = {".cpp",  ".h",    ".glsl", ".comp", ".vert",
                                   ".tesc", ".tese", ".geom", ".frag"};
 
@@ -128,7 +128,7 @@ TEST(Includes, areJudgedByTheTable) {
 TEST(Includes, nameOpenGlHeadersOnlyInGl) {
     static const std::regex header{R"(^\s*#\s*include\s*[<"](epoxy|EGL|GL|GLES\d?|KHR)/)"};
     Strings found;
-    for (const SourceFile& file : filesOf({"src", "tests", "models", "profiles/bench"}))
+    for (const SourceFile& file : filesOf({"src", "tests", "models", "bench"}))
         if (file.path.parent_path() != "src/gl")
             collect(file, found, [](const std::string& line) {
                 return std::regex_search(line, header) ? fmt::format("include gl/Api.h instead of {}", line)

@@ -1,5 +1,5 @@
 // The water's mesh, each corner moved to where its refracted ray meets the plane.
-#include "../profiles/bench/shaders/yardstick.glsl"
+#include "../bench/shaders/yardstick.glsl"
 layout(location = 0) in vec4 position; // m
 layout(location = 1) in vec4 normal;
 out vec2 before; // the corner's place without refraction, texels

@@ -1,11 +1,10 @@
-// One beam that is refracted already: its flux added to the texel that its middle falls on.
-// In: indices, beam origins, directions and flux. Out: flux by texel, in units.
-#include "../profiles/bench/shaders/yardstick.glsl"
+// One beam: refracted at its corners, its flux added to the texel that its middle falls on.
+// In: indices, positions, normals. Out: flux by texel, in units.
+#include "../bench/shaders/yardstick.glsl"
 layout(local_size_x = 64) in;
 layout(std430, binding = 0) readonly buffer Indices { uint indices[]; };
-layout(std430, binding = 1) readonly buffer BeamOrigins { vec4 origins[]; };
-layout(std430, binding = 2) readonly buffer BeamDirections { vec4 directions[]; };
-layout(std430, binding = 5) readonly buffer BeamFlux { float flux[]; };
+layout(std430, binding = 1) readonly buffer Positions { vec4 positions[]; };
+layout(std430, binding = 2) readonly buffer Normals { vec4 normals[]; };
 layout(std430, binding = 6) buffer Map { uint map[]; };
 layout(location = 0) uniform int triangleCount;
 layout(location = 1) uniform float fluxUnit; // W for 1 W/m²
@@ -13,12 +12,15 @@ layout(location = 1) uniform float fluxUnit; // W for 1 W/m²
 void main() {
     uint index = gl_GlobalInvocationID.y * gl_NumWorkGroups.x * gl_WorkGroupSize.x + gl_GlobalInvocationID.x;
     if (index >= uint(triangleCount)) return;
+    vec3 p[3];
     vec2 middle = vec2(0.0);
     for (int i = 0; i < 3; ++i) {
         uint corner = indices[3 * index + uint(i)];
-        middle += texelOf(origins[corner].xyz, directions[corner].xyz) / 3.0;
+        p[i] = positions[corner].xyz;
+        middle += texelOf(p[i], refracted(p[i], normals[corner].xyz)) / 3.0;
     }
     ivec2 texel = ivec2(floor(middle));
     if (any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(texel, boxSize.xy))) return;
-    atomicAdd(map[texel.y * boxSize.x + texel.x], uint(flux[index] / fluxUnit + 0.5));
+    float flux = -0.5 * dot(cross(p[1] - p[0], p[2] - p[0]), lightDirection.xyz);
+    atomicAdd(map[texel.y * boxSize.x + texel.x], uint(max(flux, 0.0) / fluxUnit + 0.5));
 }

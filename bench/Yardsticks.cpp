@@ -31,8 +31,7 @@ double patchArea(const Stage& stage) {
 class RasterOnce {
   public:
     RasterOnce(Stage& stage, GLenum format)
-        : _stage(stage), _program({"../profiles/bench/shaders/raster_once.vert",
-                                   "../profiles/bench/shaders/raster_once.frag"}),
+        : _stage(stage), _program({"../bench/shaders/raster_once.vert", "../bench/shaders/raster_once.frag"}),
           _map(stage.context.ledger(), "yardstick", format, stage.map.frame.size) {
         _vertexArray.attribute(0, stage.surface.mesh().positions, 4, 0, 16);
         _vertexArray.attribute(1, stage.surface.mesh().normals, 4, 0, 16);
@@ -73,8 +72,7 @@ class OneAtomic {
     /// beam.
     OneAtomic(Stage& stage, bool traced)
         : _stage(stage), _traced(traced),
-          _program({traced ? "../profiles/bench/shaders/one_atomic_traced.comp"
-                           : "../profiles/bench/shaders/one_atomic.comp"}),
+          _program({traced ? "../bench/shaders/one_atomic_traced.comp" : "../bench/shaders/one_atomic.comp"}),
           _map(stage.context.ledger(), "yardstick",
                std::int64_t(stage.map.frame.size.x) * stage.map.frame.size.y * 4) {
         // All of the light on one texel would just fill it.

@@ -49,8 +49,8 @@ void addExactBeams(Bench& bench) {
         bench.add("exact_beam", size, [](Stage& s) {
             return [&s, pass = ExactBeams(s.context), caustics = CausticMap()]() mutable {
                 s.tracer.trace(s.beams, s.surface.mesh(), nullptr);
-                pass.fill(caustics, {s.map, 0, s.tangents, s.occluders(), s.beams, s.surface.mesh(),
-                                     s.patch, s.scene.water, s.scene.lights[0]});
+                pass.fill(caustics, {s.map, 0, s.tangents, s.occluders(), s.beams, s.surface.mesh(), s.patch,
+                                     s.scene.water, s.scene.lights[0]});
             };
         });
 }
