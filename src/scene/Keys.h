@@ -111,6 +111,14 @@ const Key<S>& keyOf(std::span<const Key<S>> keys, T S::*member, const S& object 
     throw std::logic_error("a member without a key");
 }
 
+/// The range of a member: keys that share one share its range.
+template <typename S, typename T>
+const Range& rangeOf(std::span<const Key<S>> keys, T S::*member) {
+    for (const Key<S>& key : keys)
+        if (key.is(member)) return key.range();
+    throw std::logic_error("a member without a key");
+}
+
 /// The row of a key that is read by hand.
 template <typename S>
 const Key<S>& keyNamed(std::span<const Key<S>> keys, std::string_view name) {
