@@ -47,7 +47,7 @@ Json mapJson(const BakedMap& map) {
                  {"world_to_texture", matrix},
                  {"planes", {{"requested", map.planesRequested}, {"drawn", map.planesDrawn}}},
                  {"flux", {{"deposited", map.deposited}}}};
-    // The map along the light is what the contract names; further ones say so.
+    // Only a side map says so: see "A baked folder" in docs/start.md.
     if (map.facing > 0) json["facing"] = map.facing;
     if (map.standardError) json["standard_error"] = *map.standardError;
     return json;
