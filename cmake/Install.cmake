@@ -17,6 +17,11 @@ if(LIMPID_REFERENCE)
   list(APPEND LIMPID_LIBRARIES limpid-reference)
   list(APPEND LIMPID_COMPONENTS reference)
 endif()
+if(LIMPID_VIEWER)
+  list(APPEND LIMPID_PUBLIC_HEADERS apps/viewer/Viewer.h io/toml/SceneDocument.h)
+  list(APPEND LIMPID_LIBRARIES limpid-viewer)
+  list(APPEND LIMPID_COMPONENTS viewer)
+endif()
 
 set(headers ${CMAKE_BINARY_DIR}/generated/include)
 install(CODE "execute_process(COMMAND ${CMAKE_COMMAND} -DROOT=${CMAKE_SOURCE_DIR}/src -DOUTPUT=${headers}
