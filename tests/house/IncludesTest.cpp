@@ -125,6 +125,25 @@ TEST(Includes, areJudgedByTheTable) {
               "src/attic is not in the table of IncludesTest.cpp");
 }
 
+TEST(Includes, inIoGoFromTradesToWhatTheyShare) {
+    // Folder of src/io/ → the others that it may include; what they share, at the top, is everybody's.
+    const std::map<std::string, Strings> trades = {
+        {"io", {}}, {"images", {}}, {"gltf", {}}, {"bake", {"images"}}, {"toml", {"gltf", "images"}}};
+    static const std::regex include{R"(^\s*#\s*include\s*"io/([^/"]+)/)"};
+    Strings found;
+    for (const SourceFile& file : filesOf({"src/io"})) {
+        const std::string folder = file.path.parent_path().filename().string();
+        collect(file, found, [&](const std::string& line) {
+            std::smatch match;
+            if (!std::regex_search(line, match, include)) return std::string{};
+            const std::string target = match[1].str();
+            if (target == folder || contains(trades.at(folder), target)) return std::string{};
+            return fmt::format("{} may not include io/{}", folder, target);
+        });
+    }
+    EXPECT_EQ(listed(found), "");
+}
+
 TEST(Includes, nameOpenGlHeadersOnlyInGl) {
     static const std::regex header{R"(^\s*#\s*include\s*[<"](epoxy|EGL|GL|GLES\d?|KHR)/)"};
     Strings found;

@@ -260,6 +260,16 @@ void checkPairs(const Scene& scene, const std::string& file) {
 
 } // namespace
 
+NamePatterns parseWithout(TomlTable& receiver) {
+    const KeyRow& key = keyNamed(receiverKeys, "without");
+    const std::string expected(key.text().expected);
+    std::vector<std::string> patterns;
+    receiver.texts(key.name, patterns, expected);
+    for (const std::string& pattern : patterns)
+        if (pattern.empty()) receiver.fail(key.name, expected);
+    return NamePatterns(std::move(patterns));
+}
+
 bool isName(const std::string& name) {
     constexpr std::string_view allowed = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-.";
     return !name.empty() && name.size() <= maxNameLength && name.front() != '.' &&
