@@ -9,13 +9,18 @@ set(LIMPID_PUBLIC_HEADERS
   limpid/Caustics.h limpid/Context.h
   core/Bounds.h core/Error.h core/Picture.h
   scene/HeightField.h scene/HostMesh.h scene/HostWater.h scene/Mesh.h scene/Model.h scene/Scene.h scene/Sea.h scene/Shapes.h scene/Spectrum.h
-  io/BakedFolder.h io/Gltf.h io/HeightImages.h io/Images.h io/NamePatterns.h io/SceneFile.h)
+  io/bake/BakedFolder.h io/gltf/Gltf.h io/images/HeightImages.h io/images/Images.h io/NamePatterns.h io/toml/SceneFile.h)
 set(LIMPID_LIBRARIES limpid-scene limpid-core limpid-io limpid)
 set(LIMPID_COMPONENTS scene core io limpid)
 if(LIMPID_REFERENCE)
   list(APPEND LIMPID_PUBLIC_HEADERS reference/Truth.h)
   list(APPEND LIMPID_LIBRARIES limpid-reference)
   list(APPEND LIMPID_COMPONENTS reference)
+endif()
+if(LIMPID_VIEWER)
+  list(APPEND LIMPID_PUBLIC_HEADERS apps/viewer/Viewer.h io/toml/SceneDocument.h)
+  list(APPEND LIMPID_LIBRARIES limpid-viewer)
+  list(APPEND LIMPID_COMPONENTS viewer)
 endif()
 
 set(headers ${CMAKE_BINARY_DIR}/generated/include)

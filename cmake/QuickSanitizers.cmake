@@ -11,6 +11,6 @@ foreach(target limpid-program limpid-viewer)
 endforeach()
 
 # Names in these stand for something else in their neighbours.
-set_source_files_properties(src/io/GltfViews.cpp src/io/BakedFolderReader.cpp
+set_source_files_properties(src/io/gltf/Views.cpp src/io/bake/BakedFolderReader.cpp
   src/apps/viewer/MapImages.cpp src/apps/viewer/MeasurePanel.cpp
   PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)

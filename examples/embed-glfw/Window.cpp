@@ -9,7 +9,7 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-#include <limpid/io/Images.h>
+#include <limpid/io/images/Images.h>
 
 namespace {
 [[noreturn]] void fail() {

@@ -3,8 +3,8 @@
 #include <iostream>
 
 #include <limpid/Caustics.h>
-#include <limpid/io/Images.h>
-#include <limpid/io/SceneFile.h>
+#include <limpid/io/images/Images.h>
+#include <limpid/io/toml/SceneFile.h>
 
 int main(int count, char** words) try {
     if (count != 3) throw limpid::InputError("usage: headless SCENE.toml|MODEL.glb OUT.exr");

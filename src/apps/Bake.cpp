@@ -4,7 +4,7 @@
 #include "apps/Common.h"
 #include "apps/EngineUse.h"
 #include "engine/Engine.h"
-#include "io/BakedFolder.h"
+#include "io/bake/BakedFolder.h"
 #ifdef LIMPID_WITH_REFERENCE
 #include "audit/FluxAudit.h"
 #endif

@@ -1,7 +1,7 @@
 #pragma once
 #include "engine/Engine.h"
 #include "engine/Readback.h"
-#include "io/BakedFolder.h"
+#include "io/bake/BakedFolder.h"
 
 namespace limpid::apps {
 

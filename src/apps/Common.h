@@ -5,8 +5,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "io/BakedFolder.h"
-#include "io/SceneDocument.h"
+#include "io/bake/BakedFolder.h"
+#include "io/toml/SceneDocument.h"
 
 namespace limpid::apps {
 

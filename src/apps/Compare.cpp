@@ -9,9 +9,9 @@
 #include "apps/Common.h"
 #include "apps/Comparison.h"
 #include "core/Error.h"
-#include "io/BakedFolder.h"
 #include "io/Files.h"
-#include "io/Images.h"
+#include "io/bake/BakedFolder.h"
+#include "io/images/Images.h"
 
 namespace fs = std::filesystem;
 

@@ -5,10 +5,10 @@
 #include <fmt/format.h>
 
 #include "core/Error.h"
-#include "io/BakeErrors.h"
-#include "io/BakedFolder.h"
 #include "io/Files.h"
-#include "io/Images.h"
+#include "io/bake/BakeErrors.h"
+#include "io/bake/BakedFolder.h"
+#include "io/images/Images.h"
 
 namespace fs = std::filesystem;
 

@@ -14,9 +14,9 @@
 #include "apps/Common.h"
 #include "core/Error.h"
 #include "io/Files.h"
-#include "io/Images.h"
 #include "io/Outputs.h"
-#include "io/SceneSettings.h"
+#include "io/images/Images.h"
+#include "io/toml/SceneSettings.h"
 #include "scene/Fingerprint.h"
 
 namespace limpid::apps {

@@ -13,7 +13,7 @@
 #include "core/Error.h"
 #include "io/Files.h"
 #include "io/Staging.h"
-#include "io/TomlReader.h"
+#include "io/toml/TomlReader.h"
 
 namespace {
 

@@ -2,14 +2,14 @@
 
 #include "apps/Common.h"
 #include "apps/EngineUse.h"
-#include "apps/GroundTruth.h"
-#include "apps/Machine.h"
-#include "apps/ProfileOutput.h"
-#include "apps/ProfilePlots.h"
-#include "apps/ProfileRun.h"
+#include "apps/profile/GroundTruth.h"
+#include "apps/profile/Machine.h"
+#include "apps/profile/Output.h"
+#include "apps/profile/Plots.h"
+#include "apps/profile/Run.h"
 #include "core/Error.h"
-#include "io/BakedFolder.h"
 #include "io/Files.h"
+#include "io/bake/BakedFolder.h"
 
 namespace fs = std::filesystem;
 

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "apps/Common.h"
-#include "io/BakedFolder.h"
+#include "io/bake/BakedFolder.h"
 #include "plan/Warnings.h"
 #include "reference/ReferenceJob.h"
 

@@ -11,8 +11,8 @@
 #include "core/Progress.h"
 #include "engine/Engine.h"
 #include "io/Files.h"
-#include "io/Images.h"
 #include "io/Outputs.h"
+#include "io/images/Images.h"
 
 namespace limpid::apps {
 

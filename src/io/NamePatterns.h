@@ -23,9 +23,4 @@ class NamePatterns {
     std::vector<std::string> _patterns;
 };
 
-class TomlTable;
-
-/// The key `without` of a receiver. Throws InputError.
-NamePatterns parseWithout(TomlTable& receiver);
-
 } // namespace limpid::io

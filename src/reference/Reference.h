@@ -29,7 +29,7 @@ struct TraceOptions {
 };
 
 struct TracedLight {
-    /// W, mean of R, G and B; see io/BakedFolder.h. Each is counted by itself.
+    /// W, mean of R, G and B; see io/bake/BakedFolder.h. Each is counted by itself.
     double entering = 0, absorbed = 0, scattered = 0, deposited = 0, missed = 0, rejected = 0;
     std::int64_t photons = 0; ///< that were followed
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "io/BakedFolder.h"
+#include "io/bake/BakedFolder.h"
 #include "reference/Reference.h"
 #include "scene/Scene.h"
 

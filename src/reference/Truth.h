@@ -1,7 +1,7 @@
 #pragma once
 #include <cstdint>
 
-#include "io/BakedFolder.h"
+#include "io/bake/BakedFolder.h"
 #include "scene/Scene.h"
 
 namespace limpid::reference {

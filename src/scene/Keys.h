@@ -65,7 +65,7 @@ struct KeyRow {
 };
 
 /// The kinds of value that are read and written as they are. monostate: the loader does it by hand
-/// (io/SceneParser.cpp), with the name and the range of the row.
+/// (io/toml/SceneParser.cpp), with the name and the range of the row.
 template <typename S>
 using Member = std::variant<std::monostate, double S::*, int S::*, std::uint32_t S::*, glm::dvec2 S::*,
                             glm::dvec3 S::*, glm::ivec2 S::*, glm::dquat S::*, std::optional<glm::dvec2> S::*,
@@ -108,6 +108,14 @@ template <typename S, typename T>
 const Key<S>& keyOf(std::span<const Key<S>> keys, T S::*member, const S& object = {}) {
     for (const Key<S>& key : keys)
         if (key.is(member) && knows(object, key)) return key;
+    throw std::logic_error("a member without a key");
+}
+
+/// The range of a member: keys that share one share its range.
+template <typename S, typename T>
+const Range& rangeOf(std::span<const Key<S>> keys, T S::*member) {
+    for (const Key<S>& key : keys)
+        if (key.is(member)) return key.range();
     throw std::logic_error("a member without a key");
 }
 

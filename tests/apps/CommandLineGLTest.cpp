@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/RunProgram.h"
-#include "io/Images.h"
 #include "io/TempFolder.h"
+#include "io/images/Images.h"
 #include "scene/Scene.h"
 
 namespace limpid {

@@ -8,9 +8,9 @@
 #include <gtest/gtest.h>
 
 #include "apps/RunProgram.h"
-#include "io/BakedFolder.h"
-#include "io/Images.h"
 #include "io/TempFolder.h"
+#include "io/bake/BakedFolder.h"
+#include "io/images/Images.h"
 
 namespace limpid {
 namespace {

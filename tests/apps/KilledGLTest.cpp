@@ -12,10 +12,10 @@
 #include <spawn.h>
 
 #include "apps/RunProgram.h"
-#include "io/BakedFolder.h"
 #include "io/Files.h"
-#include "io/Images.h"
 #include "io/TempFolder.h"
+#include "io/bake/BakedFolder.h"
+#include "io/images/Images.h"
 
 namespace limpid {
 namespace {

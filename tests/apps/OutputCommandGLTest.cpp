@@ -6,9 +6,9 @@
 
 #include "apps/RunProgram.h"
 #include "io/Files.h"
-#include "io/Images.h"
 #include "io/SmallGltf.h"
 #include "io/TempFolder.h"
+#include "io/images/Images.h"
 
 namespace limpid {
 namespace {

@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/RunProgram.h"
-#include "io/Images.h"
 #include "io/TempFolder.h"
+#include "io/images/Images.h"
 
 namespace limpid {
 namespace {

@@ -7,9 +7,9 @@
 
 #include "core/Error.h"
 #include "engine/EngineFixture.h"
-#include "io/Images.h"
-#include "io/SceneFile.h"
 #include "io/TempFolder.h"
+#include "io/images/Images.h"
+#include "io/toml/SceneFile.h"
 #include "scene/Keys.h"
 
 namespace limpid {

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "io/Gltf.h"
+#include "io/gltf/Gltf.h"
 #include "scene/Scene.h"
 #include "scene/Shapes.h"
 

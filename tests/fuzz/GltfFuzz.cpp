@@ -5,7 +5,7 @@
 #include "FuzzFile.h"
 #include "Require.h"
 #include "core/Error.h"
-#include "io/Gltf.h"
+#include "io/gltf/Gltf.h"
 
 namespace limpid {
 namespace {

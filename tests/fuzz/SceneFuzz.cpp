@@ -6,7 +6,7 @@
 #include "FuzzFile.h"
 #include "Require.h"
 #include "core/Error.h"
-#include "io/SceneDocument.h"
+#include "io/toml/SceneDocument.h"
 #include "scene/Mesh.h"
 
 namespace limpid {

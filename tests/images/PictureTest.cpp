@@ -2,8 +2,8 @@
 
 #include "core/Optics.h"
 #include "images/PictureFixture.h"
-#include "io/Images.h"
-#include "io/SceneFile.h"
+#include "io/images/Images.h"
+#include "io/toml/SceneFile.h"
 
 namespace limpid {
 namespace {

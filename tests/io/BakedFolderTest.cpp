@@ -1,4 +1,4 @@
-#include "io/BakedFolder.h"
+#include "io/bake/BakedFolder.h"
 
 #include <cmath>
 #include <fstream>
@@ -7,9 +7,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "io/BakeErrors.h"
-#include "io/Images.h"
 #include "io/TempFolder.h"
+#include "io/bake/BakeErrors.h"
+#include "io/images/Images.h"
 
 namespace limpid::io {
 namespace {

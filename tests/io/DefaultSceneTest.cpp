@@ -1,13 +1,13 @@
 // The water, waves and camera of a model given alone.
-#include "io/DefaultScene.h"
+#include "io/toml/DefaultScene.h"
 
 #include <cmath>
 #include <numbers>
 
 #include <gtest/gtest.h>
 
-#include "io/SceneParser.h"
 #include "io/TempFolder.h"
+#include "io/toml/SceneParser.h"
 #include "plan/FlatWater.h"
 #include "plan/Warnings.h"
 #include "plan/WaveTerms.h"

@@ -7,9 +7,9 @@
 #include <gtest/gtest.h>
 #include <meshoptimizer.h>
 
-#include "io/Gltf.h"
 #include "io/SmallGltf.h"
 #include "io/TempFolder.h"
+#include "io/gltf/Gltf.h"
 
 namespace limpid::io {
 namespace {

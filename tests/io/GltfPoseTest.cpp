@@ -4,9 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "io/Gltf.h"
 #include "io/SmallGltf.h"
 #include "io/TempFolder.h"
+#include "io/gltf/Gltf.h"
 
 namespace limpid::io {
 namespace {

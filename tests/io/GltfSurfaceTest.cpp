@@ -3,10 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "io/Gltf.h"
-#include "io/GltfImages.h"
 #include "io/SmallGltf.h"
 #include "io/TempFolder.h"
+#include "io/gltf/Gltf.h"
+#include "io/gltf/Images.h"
 
 namespace limpid::io {
 namespace {

@@ -1,4 +1,4 @@
-#include "io/Gltf.h"
+#include "io/gltf/Gltf.h"
 
 #include <cmath>
 

@@ -1,11 +1,11 @@
-#include "io/GltfUris.h"
+#include "io/gltf/Uris.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "io/Gltf.h"
 #include "io/SmallGltf.h"
 #include "io/TempFolder.h"
+#include "io/gltf/Gltf.h"
 
 namespace limpid::io {
 namespace {

@@ -1,4 +1,4 @@
-#include "io/HeightImages.h"
+#include "io/images/HeightImages.h"
 
 #include <cmath>
 #include <limits>
@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "io/Images.h"
-#include "io/SceneFile.h"
 #include "io/TempFolder.h"
+#include "io/images/Images.h"
+#include "io/toml/SceneFile.h"
 
 namespace limpid::io {
 namespace {

@@ -1,4 +1,4 @@
-#include "io/Images.h"
+#include "io/images/Images.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "io/ProfileFile.h"
+#include "io/toml/ProfileFile.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,13 +1,13 @@
 // A changed scene, written and read again, is the changed scene; what did not change stays as its author
 // wrote it.
-#include "io/SceneDocument.h"
+#include "io/toml/SceneDocument.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "io/SceneSettings.h"
 #include "io/SmallGltf.h"
 #include "io/TempFolder.h"
+#include "io/toml/SceneSettings.h"
 #include "scene/Sea.h"
 #include "scene/WaterBodies.h"
 #include "scene/WaterPresets.h"

@@ -1,9 +1,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "io/SceneFile.h"
 #include "io/SmallGltf.h"
 #include "io/TempFolder.h"
+#include "io/toml/SceneFile.h"
 
 namespace limpid::io {
 namespace {

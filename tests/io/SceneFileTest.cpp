@@ -1,4 +1,4 @@
-#include "io/SceneFile.h"
+#include "io/toml/SceneFile.h"
 
 #include <cmath>
 #include <numbers>

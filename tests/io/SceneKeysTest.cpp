@@ -9,10 +9,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "io/SceneFile.h"
-#include "io/SceneSettings.h"
 #include "io/SmallGltf.h"
 #include "io/TempFolder.h"
+#include "io/toml/SceneFile.h"
+#include "io/toml/SceneSettings.h"
 #include "scene/Keys.h"
 
 namespace limpid::io {

@@ -1,7 +1,7 @@
 // The committed models are what the generator writes, and they are sound: right counts, closed where the
 // README says so, one metre long, standing on y = 0.
 
-#include "io/Gltf.h"
+#include "io/gltf/Gltf.h"
 #include "plan/Facings.h"
 
 #include <glm/geometric.hpp>

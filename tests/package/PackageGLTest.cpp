@@ -5,8 +5,8 @@
 
 #include <gmock/gmock.h>
 
-#include "io/Images.h"
 #include "io/TempFolder.h"
+#include "io/images/Images.h"
 #include "viewer/Display.h"
 
 namespace limpid {
@@ -107,6 +107,38 @@ TEST_F(PackageGLTest, aSceneBecomesAnExrWithoutADisplay) {
     const Ran missing = run(fmt::format("{0}/headless no.toml {0}/no.exr", folder.string()));
     EXPECT_EQ(missing.code, 1);
     EXPECT_EQ(std::count(missing.out.begin(), missing.out.end(), '\n'), 1) << missing.out;
+}
+
+TEST_F(PackageGLTest, theViewersWindowOpensInAnotherProgram) {
+    const fs::path project = _folder->path() / "window";
+    _folder->write("window/CMakeLists.txt", "cmake_minimum_required(VERSION 3.25)\n"
+                                            "project(window LANGUAGES CXX)\n"
+                                            "find_package(limpid REQUIRED COMPONENTS viewer)\n"
+                                            "add_executable(window Main.cpp)\n"
+                                            "target_link_libraries(window PRIVATE limpid::viewer)\n");
+    _folder->write("window/Main.cpp", R"(#include <limpid/viewer/Viewer.h>
+int main(int, char** arguments) {
+    limpid::viewer::Options options;
+    options.begin = std::chrono::steady_clock::now();
+    options.file = arguments[1];
+    options.load = [&] { return limpid::io::SceneDocument(arguments[1]); };
+    options.size = {320, 240};
+    options.screenshot = arguments[2];
+    limpid::viewer::show(options);
+}
+)");
+    const Ran built =
+        run(fmt::format("{0} -S {1} -B {1}/build -G Ninja -DCMAKE_BUILD_TYPE=Release "
+                        "-DCMAKE_CXX_COMPILER={2} -DCMAKE_PREFIX_PATH={3} && {0} --build {1}/build",
+                        CMAKE_PROGRAM, project.string(), CXX_COMPILER, prefix().string()));
+    ASSERT_EQ(built.code, 0) << built.out;
+    const test::Display display(_folder->path(), {640, 480});
+    const Ran ran = run(fmt::format("DISPLAY={0} {1}/build/window {2}/models/box.glb {1}/window.png",
+                                    display.name(), project.string(), LIMPID_ROOT));
+    EXPECT_EQ(ran.code, 0) << ran.out;
+    const io::FloatImage image = io::readImage(project / "window.png");
+    EXPECT_EQ(image.width, 320);
+    EXPECT_EQ(image.height, 240);
 }
 
 /// Mean of red over a square of a picture, [0, 1].

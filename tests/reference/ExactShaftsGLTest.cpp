@@ -1,6 +1,6 @@
 #include "godrays/ExactShafts.h"
 
-#include "io/SceneFile.h"
+#include "io/toml/SceneFile.h"
 #include "reference/GodraysFixture.h"
 
 namespace limpid {

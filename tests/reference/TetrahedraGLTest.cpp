@@ -2,7 +2,7 @@
 
 #include <numeric>
 
-#include "io/SceneFile.h"
+#include "io/toml/SceneFile.h"
 #include "reference/GodraysFixture.h"
 #include "reference/Refraction.h"
 

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "io/Gltf.h"
+#include "io/gltf/Gltf.h"
 #include "scene/MeshBuilder.h"
 #include "scene/Shapes.h"
 

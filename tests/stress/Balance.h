@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "io/ProfileFile.h"
+#include "io/toml/ProfileFile.h"
 #include "stress/StressFixture.h"
 
 /// What becomes of the light of the scenes of profiles/stress.toml.

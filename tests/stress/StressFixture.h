@@ -3,7 +3,7 @@
 #include <string>
 
 #include "engine/EngineFixture.h"
-#include "io/SceneFile.h"
+#include "io/toml/SceneFile.h"
 
 namespace limpid {
 

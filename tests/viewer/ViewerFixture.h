@@ -4,8 +4,8 @@
 #include <functional>
 
 #include "apps/RunProgram.h"
-#include "io/Images.h"
 #include "io/TempFolder.h"
+#include "io/images/Images.h"
 #include "viewer/Display.h"
 
 namespace limpid::test {

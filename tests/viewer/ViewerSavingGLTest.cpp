@@ -1,6 +1,6 @@
 // What the viewer saves is what it showed.
 #include "apps/viewer/Gizmo.h"
-#include "io/SceneFile.h"
+#include "io/toml/SceneFile.h"
 #include "viewer/ViewerFixture.h"
 
 namespace limpid::test {

@@ -6,9 +6,9 @@
 #include "core/Error.h"
 #include "engine/Scenes.h"
 #include "gl/GLFixture.h"
-#include "io/HeightImages.h"
-#include "io/Images.h"
 #include "io/TempFolder.h"
+#include "io/images/HeightImages.h"
+#include "io/images/Images.h"
 #include "plan/WaveTerms.h"
 #include "water/WaterSurface.h"
 

@@ -4,7 +4,7 @@
 
 #include "core/Error.h"
 #include "io/Files.h"
-#include "io/Images.h"
+#include "io/images/Images.h"
 
 namespace fs = std::filesystem;
 

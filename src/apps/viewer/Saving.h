@@ -5,7 +5,7 @@
 
 #include "apps/viewer/Display.h"
 #include "apps/viewer/State.h"
-#include "io/SceneDocument.h"
+#include "io/toml/SceneDocument.h"
 
 /// What the viewer writes: scenes, pictures and sequences of them. Pictures and sequences are numbered, so
 /// that none takes another's place. All throw InputError when they cannot.

@@ -18,7 +18,7 @@
 #include "core/Error.h"
 #include "core/Statistics.h"
 #include "gl/Reset.h"
-#include "io/Images.h"
+#include "io/images/Images.h"
 #include "plan/Framing.h"
 #include "plan/Warnings.h"
 

@@ -8,7 +8,7 @@
 
 #include <glm/glm.hpp>
 
-#include "io/SceneDocument.h"
+#include "io/toml/SceneDocument.h"
 
 namespace limpid::viewer {
 

@@ -1,8 +1,0 @@
-// Out, added: irradiance for 1 W/m² of light, as the area that a texel's light comes from.
-in vec2 before;
-layout(location = 0) out vec4 irradiance;
-
-void main() {
-    vec2 x = dFdx(before), y = dFdy(before);
-    irradiance = vec4(abs(x.x * y.y - x.y * y.x));
-}
