@@ -34,11 +34,6 @@ bool isWide(Quad quad) {
     return max(across.x, across.y) > widest;
 }
 
-// The corners' rays with depths counted from the plane that leans.
-struct Leant {
-    vec4 p, q, r, s;
-};
-
 // The depth, in the box, of a place on the plane that leans, this much below it.
 float depthOf(vec2 place, float upright) { return upright + dot(boxShear.xy * boxExtent.w, place); }
 
@@ -121,13 +116,13 @@ void main() {
     Quad quad;
     if (!loadQuad(index, quad)) return;
     if (!(mayMeet(quad.p) || mayMeet(quad.q) || mayMeet(quad.r) || mayMeet(quad.s))) return;
-    Leant leant = Leant(quad.p, quad.q, quad.r, quad.s);
+    Leant leant;
     Slab slab;
     vec2 depths;
     int list = plain;
     bool onPlane = false;
-    if (lean(leant.p) && lean(leant.q) && lean(leant.r) && lean(leant.s)) {
-        if (!settle(leant.p, leant.q, leant.r, leant.s, slab, depths)) return;
+    if (lean(quad, leant)) {
+        if (!settle(leant, slab, depths)) return;
         onPlane = depths.y - depths.x <= flatness * boxExtent.w && texelsOf(slab) <= mostTexels;
 #ifdef SHADED
         int fate = fateOf(quad, index, leant, slab, depths);

@@ -7,7 +7,6 @@
 #include "caustics/beam_walk.glsl"
 #include "caustics/beam_lists.glsl"
 #include "caustics/beam_touches.glsl"
-layout(local_size_x = 64) in;
 
 bool leaveSlab(int index, int number, Slab slab) { return false; }
 
@@ -16,7 +15,7 @@ const int mostKept = 32;
 int found = 0, place = -1; // touches of the quad so far; where they go, < 0 in the first walk
 int kept[mostKept];
 
-void visit(Quad quad, int index, ivec2 texel) {
+void visit(Quad quad, int index, Slab slab, ivec2 texel, float depth) {
     if (!mayTouch(cutAt(quad, texel))) return;
     int number = texel.y * boxSize.x + texel.x;
     if (place >= 0) touches[place + found] = ivec2(index, number);

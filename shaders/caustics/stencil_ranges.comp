@@ -14,7 +14,7 @@ layout(location = beamCountLocation) uniform int beamCount;
 
 // Asked for again within what was found until it settles.
 ivec2 subVolumesMet(vec4 a, vec4 b, vec4 c) {
-    ivec2 met = subVolumesOf(texelFetch(planeDepths, ivec2(0), textureQueryLevels(planeDepths) - 1).xy);
+    ivec2 met = subVolumesOf(texelFetch(depthPyramid, ivec2(0), textureQueryLevels(depthPyramid) - 1).xy);
     for (int i = 0; i < 4 && met.x <= met.y; ++i) {
         ivec2 found = subVolumesWithin(a, b, c, vec2(subVolume(met.x).x, subVolume(met.y).y));
         found = ivec2(max(found.x, met.x), min(found.y, met.y));

@@ -5,7 +5,7 @@
 #include "caustics/footprint.glsl"
 #include "levelmap/depth_pyramid.glsl"
 #include "optics/planes.glsl"
-layout(binding = depthPyramidUnit) uniform sampler2D planeDepths; // RGBA32F (levelmap/PlaneDepths.h)
+layout(binding = depthPyramidUnit) uniform sampler2D depthPyramid; // RGBA32F (levelmap/PlaneDepths.h)
 
 // Depths of the sample planes above and below sub-volume `number`, m. The outermost lie a little outside of the box.
 vec2 subVolume(int number) {
@@ -31,7 +31,7 @@ ivec2 subVolumesWithin(vec4 a, vec4 b, vec4 c, vec2 depths) {
     ivec2 low = ivec2(clamp(ceil(least - 0.5 - margin), vec2(0.0), vec2(boxSize.xy)));
     ivec2 high = ivec2(clamp(floor(most - 0.5 + margin), vec2(-1.0), vec2(boxSize.xy - 1)));
     if (any(greaterThan(low, high))) return ivec2(1, 0);
-    return subVolumesOf(depthRange(planeDepths, low, high));
+    return subVolumesOf(depthRange(depthPyramid, low, high));
 }
 
 // What a depth in m is to rasterisers: clear of the clip planes.
