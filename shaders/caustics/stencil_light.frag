@@ -1,5 +1,5 @@
 // The receiver lit by parallel light as flat water lets it through, with its shadows: what the caustic image is
-// multiplied with (Iwasaki et al. 2002, 4.3.1 and 5). Of a lamp, the light that flat water would send to the texel.
+// multiplied with (Iwasaki et al. 2002, 4.3.1 and 5). Of a point light, the light that flat water would send to the texel.
 // Out: share of W/m² across the light that its surface has, [0, ...].
 #include "interface/bindings.glsl"
 #include "levelmap/box.glsl"

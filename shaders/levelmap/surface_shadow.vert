@@ -5,7 +5,7 @@
 void main() {
     passVertex();
     float above = inPosition.y - waterSurface.x;
-    // A lamp projects through one point: w carries the division, and a corner over the lamp is cut away.
+    // A point light projects through one point: w carries the division, and a corner over the point light is cut away.
     vec3 source = lightPosition.xyz;
     float w = isPointLight() ? source.y - inPosition.y : 1.0;
     vec2 foot = isPointLight() ? inPosition.xz * (source.y - waterSurface.x) - source.xz * above

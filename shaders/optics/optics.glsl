@@ -27,7 +27,7 @@ float fresnelTransmittance(float cosIncident, float eta) {
 //     across(u) = above u + below u / sqrt(n² + (n² - 1) u²),
 // which rises and is concave, so Newton's method closes in from the left without overshooting. Two bounds give a
 // start near the root: the curve lies below its tangent at 0, and the lower part never exceeds the critical angle.
-// (Newton on the place itself, guarded by bisection, was 0.3 off in the sine for a lamp near the water.)
+// (Newton on the place itself, guarded by bisection, was 0.3 off in the sine for a point light near the water.)
 float flatCrossing(float above, float below, float across, float ior) {
     float high = max(above, float(1e-9f));
     float n2 = ior * ior;

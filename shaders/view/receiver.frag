@@ -6,22 +6,22 @@
 #include "view/water_height.glsl"
 #include "levelmap/receiver_fragment.glsl"
 #include "water/surface_shadow.glsl"
-#include "levelmap/lamp_shadow.glsl"
+#include "levelmap/point_light_shadow.glsl"
 layout(binding = castMapUnit) uniform sampler2D castMap;
 layout(location = underwaterLocation) uniform int underwater; // 1: shows what is below the surface, 0: what is above it
 layout(location = withAmbientLocation) uniform int withAmbient; // once for each receiver
 layout(location = withCausticsLocation) uniform int withCaustics; // castMap and BoxFrame are bound
 layout(location = strengthLocation) uniform vec3 strength; // of a light that comes straight, W/m² or W/sr; LightFrame is bound
 layout(location = wayLocation) uniform int way; // straight, refracted or mirrored
-layout(location = sheerSideLocation) uniform int sheerSide; // 0: what hides all behind it; of what is blended with that, 1: faces
+layout(location = blendedSideLocation) uniform int blendedSide; // 0: what hides all behind it; of what is blended with that, 1: faces
                                                // seen from the front, -1: from the back
 layout(location = transmissionLocation) uniform float transmission; // of what is blended
-layout(location = ofPartlySheerLocation) uniform int ofPartlySheer; // 1: maps show not this, but what is behind it (scene/Mesh.h)
+layout(location = ofPartlyBlendedLocation) uniform int ofPartlyBlended; // 1: maps show not this, but what is behind it (scene/Mesh.h)
 layout(location = radianceTarget) out vec4 outRadiance;
 layout(location = metresTarget) out float outMetres;
 
 layout(binding = normalTextureUnit) uniform sampler2D normalTexture;     // tangent space, glTF
-layout(binding = lampShadowUnit) uniform sampler2D lampShadow;           // of a lamp under water
+layout(binding = pointLightShadowUnit) uniform sampler2D pointLightShadow;           // of a point light under water
 layout(binding = emissionTextureUnit) uniform sampler2D emissionTexture; // sRGB, white where the material has none
 
 const float solidAlpha = 254.5 / 255.0; // as in levelmap/ReceiverGeometry.h
@@ -78,7 +78,7 @@ vec3 straightIrradiance(vec3 normal, vec3 face) {
     float metres = isPointLight() ? distance(position, lightPosition.xyz) : 0.0;
     vec3 arriving = strength * (isPointLight() ? intensityShare(position) / max(metres * metres, 1e-12) : 1.0);
     if (underwater != 0) arriving *= extinction(waterExtinction.rgb, metres);
-    if (underwater != 0) return arriving * lampVisibility(lampShadow, position, face) * max(-dot(normal, direction), 0.0);
+    if (underwater != 0) return arriving * pointLightVisibility(pointLightShadow, position, face) * max(-dot(normal, direction), 0.0);
     float footprint = max(surfaceShadowRect.z, surfaceShadowRect.w) / float(textureSize(surfaceShadow, 0).x);
     return arriving * surfaceVisibility(position, 6.0 * footprint) * max(-dot(normal, direction), 0.0);
 }
@@ -97,11 +97,11 @@ void main() {
     float turned = dot(face, view) < 0.0 ? -1.0 : 1.0;
     // A sheet shows what is behind it by what it lets through (scene/Mesh.h, transmittance), in the mean of its colours; what
     // is transmissive of it scatters nothing.
-    vec4 base = sheerSide != 0 ? clamp(baseColor(), 0.0, 1.0) : vec4(baseColor().rgb, 1.0);
-    float through = sheerSide != 0 ? transmission : 0.0;
+    vec4 base = blendedSide != 0 ? clamp(baseColor(), 0.0, 1.0) : vec4(baseColor().rgb, 1.0);
+    float through = blendedSide != 0 ? transmission : 0.0;
     vec3 taken = base.a * (1.0 - through * base.rgb);
     float alpha = dot(taken, vec3(1.0 / 3.0));
-    if (sheerSide != 0 && (turned != float(sheerSide) || alpha >= solidAlpha)) discard;
+    if (blendedSide != 0 && (turned != float(blendedSide) || alpha >= solidAlpha)) discard;
 
     vec3 irradiance = vec3(0.0);
     if (withCaustics != 0) {
@@ -112,7 +112,7 @@ void main() {
         float smoothing = clamp(-dot(shading, boxT.xyz) / (sign(facing) * max(abs(facing), 0.05)), 0.0, 1.5);
         lit = lit && belongsToMap(face);
         // Maps hold what the surface takes, or what it lets through; its colour shows by all that comes to it.
-        vec3 held = sheerSide != 0 && ofPartlySheer != 0 ? 1.0 - taken : taken;
+        vec3 held = blendedSide != 0 && ofPartlyBlended != 0 ? 1.0 - taken : taken;
         if (lit) irradiance = castIrradiance(face) * smoothing / max(held, vec3(0.02));
     }
     if (strength != vec3(0.0)) irradiance += straightIrradiance(turned * shading, face);

@@ -10,7 +10,7 @@
 
 namespace limpid {
 
-/// Where the light of one lamp went, W, mean of R, G and B. Each is counted by itself.
+/// Where what one light sends went, W, mean of R, G and B. Each is counted by itself.
 struct FluxBalance {
     double entering = 0;  ///< all beams of the patch, after Fresnel
     double absorbed = 0;  ///< by the water, on the way to where beams land

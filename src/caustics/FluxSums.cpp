@@ -9,7 +9,7 @@ namespace limpid {
 
 namespace {
 
-/// What all beams of the patch take together, in their unit; of a lamp, no more than about that.
+/// What all beams of the patch take together, in their unit; of a point light, no more than about that.
 double patchFlux(const LevelMap& map, const Light& light, const WaterPatch& patch) {
     const double area = patch.size.x * patch.size.y;
     if (light.type == LightType::Directional)

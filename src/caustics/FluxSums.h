@@ -27,7 +27,7 @@ class FluxSums {
 };
 
 /// What one unit of a beam's flux is spread over where nothing focuses it, in its unit: the area of a texel,
-/// m², or the solid angle that it has about at the lamp, sr.
+/// m², or the solid angle that it has about at the point light, sr.
 double unfocusedFlux(const LevelMap& map, const Light& light);
 
 /// Flux of one step of the sums, of which the light of an unfocused texel has 2²²: rounding is then below a

@@ -20,7 +20,7 @@ struct DiscPoint {
 
 /// The water in finer quads for a point light that is close to it, and the beams that its maps are filled
 /// with.
-struct LampWater {
+struct PointLightWater {
     WaterPatch patch;
     WaterSurface surface;
     Beams beams;
@@ -29,18 +29,18 @@ struct LampWater {
 /// One light: its beams, and first hits of its mean light.
 struct LightWork {
     Beams beams;
-    std::unique_ptr<LampWater> lampWater; ///< empty where the water's own quads are fine enough
+    std::unique_ptr<PointLightWater> pointLightWater; ///< empty where the water's own quads are fine enough
     SceneDepth sceneDepth;
     gl::Texture surfaceShadow;   ///< empty if nothing stands out of the water
-    gl::Texture lampShadow;      ///< empty unless a point light is under water and a picture shows it
+    gl::Texture pointLightShadow; ///< empty unless a point light is under water and a picture shows it
     BeamTiles tiles;             ///< where beams are culled many at a time
     std::vector<DiscPoint> disc; ///< besides its middle, whose beams are `beams`; empty for a point far away
 
     /// The beams that fill maps; pictures and godrays take `beams`.
-    const Beams& mapBeams() const { return lampWater ? lampWater->beams : beams; }
+    const Beams& mapBeams() const { return pointLightWater ? pointLightWater->beams : beams; }
     /// The surface that those begin at; `water`: the scene's.
     const WaterMesh& mapMesh(const WaterMesh& water) const {
-        return lampWater ? lampWater->surface.mesh() : water;
+        return pointLightWater ? pointLightWater->surface.mesh() : water;
     }
     /// True for a light that gives none.
     bool isDark() const { return beams.strength == glm::dvec3(0); }
@@ -60,7 +60,7 @@ struct LightWork {
         LightFrameData frame; ///< as beams read it
         Stamp surfaceShadow = 0;
         bool dark = false; ///< and not traced
-        std::optional<WaterPatch> lampPatch;
+        std::optional<WaterPatch> pointLightPatch;
         std::vector<LightFrameData> disc;
         bool tiled = false;
         bool operator==(const TracedFrom&) const = default;
@@ -76,7 +76,7 @@ struct LightWork {
     Kept<ShadowFrom> shadowed;      ///< `surfaceShadow`
     Kept<TracedFrom> traced;        ///< all beams and tiles
     Kept<FirstHitsFrom> firstHits;  ///< `sceneDepth`
-    Kept<ShadowFrom> lampSurrounds; ///< `lampShadow`
+    Kept<ShadowFrom> pointLightSurrounds; ///< `pointLightShadow`
 };
 
 } // namespace limpid

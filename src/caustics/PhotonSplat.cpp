@@ -39,7 +39,7 @@ WaterPatch photonGrid(const PhotonSplat::Inputs& inputs) {
 /// Light on its way from the level to the receiver's corner that has least or most of it.
 struct WaterWay {
     double nearest = 1e300, farthest = 0; ///< m
-    double spread = 1; ///< how much further apart a lamp's rays are there than at the level, at most
+    double spread = 1; ///< how much further apart a point light's rays are there than at the level, at most
 };
 
 WaterWay waterWay(const PhotonSplat::Inputs& inputs) {

@@ -16,7 +16,7 @@ constexpr glm::ivec2 resolveGroupSize{8, 8};
 constexpr glm::vec2 allDepths{-1e29f, 1e29f};
 
 /// More than all flux that may enter: of a directional light, the patch seen along it, m², for waves of
-/// slopes up to 3; of a lamp, all directions, sr.
+/// slopes up to 3; of a point light, all directions, sr.
 double mostFlux(const Light& light, const WaterPatch& patch) {
     return light.type == LightType::Directional ? 4 * patch.size.x * patch.size.y : 4 * std::numbers::pi;
 }

@@ -203,7 +203,7 @@ auto Engine::picture(glm::ivec2 size, bool goesOn, Use&& use) {
         // What was left out is counted by updates.
         _skipped.levelMaps = before.levelMaps, _skipped.causticMaps = before.causticMaps;
         for (int light = 0; light < _lights.count(); ++light)
-            _lights.drawLampShadow(now, light);
+            _lights.drawPointLightShadow(now, light);
         const WaterMesh& surface = _water.at(_time);
         if (!goesOn) {
             // That make maps ready to be projected.

@@ -20,7 +20,7 @@ LightFrameData asBeamsRead(LightFrameData frame) {
 
 void setStrength(LightWork& work, const glm::dvec3& strength) {
     work.beams.strength = strength;
-    if (work.lampWater) work.lampWater->beams.strength = strength;
+    if (work.pointLightWater) work.pointLightWater->beams.strength = strength;
     for (DiscPoint& point : work.disc)
         point.beams.strength = strength;
 }
@@ -40,8 +40,8 @@ std::vector<LightFrameData> discFrames(const Frame& frame, int light) {
 
 /// A photon stands for an equal piece of the water, whatever quads there are. A grid so fine that the GPU has
 /// no room for more is left as it is.
-std::optional<WaterPatch> lampPatchOf(const Frame& frame, int light) {
-    const std::optional<WaterPatch>& patch = frame.planOf(light).lampPatch;
+std::optional<WaterPatch> pointLightPatchOf(const Frame& frame, int light) {
+    const std::optional<WaterPatch>& patch = frame.planOf(light).pointLightPatch;
     if (!patch || frame.facts().photons || !hasRoomFor(patch->grid, frame.context.info()))
         return std::nullopt;
     return patch;
@@ -112,7 +112,7 @@ void Lights::refract(const Frame& frame, int light) {
                                      asBeamsRead(frame.planOf(light).frame),
                                      work.shadowed.stamp(),
                                      dark,
-                                     lampPatchOf(frame, light),
+                                     pointLightPatchOf(frame, light),
                                      discFrames(frame, light),
                                      frame.skipping && sumsBeams(frame.scene.caustics)};
     work.traced.bring(frame.making, from, [&] {
@@ -148,10 +148,10 @@ void Lights::trace(const Frame& frame, int light, LightWork& work, const LightWo
     const WaterMesh& surface = frame.water.at(frame.time);
     Scope scope(frame.timers, "beams");
     _tracer.trace(work.beams, surface, work.beams.surfaceShadow);
-    if (!from.lampPatch)
-        work.lampWater.reset();
+    if (!from.pointLightPatch)
+        work.pointLightWater.reset();
     else
-        traceLampWater(frame, light, work, *from.lampPatch);
+        tracePointLightWater(frame, light, work, *from.pointLightPatch);
     traceDisc(frame, light, work, from.disc);
     if (!from.tiled) {
         work.tiles = {};
@@ -162,12 +162,13 @@ void Lights::trace(const Frame& frame, int light, LightWork& work, const LightWo
         _tiles.update(point.tiles, point.beams, surface);
 }
 
-void Lights::traceLampWater(const Frame& frame, int light, LightWork& work, const WaterPatch& patch) {
-    if (!work.lampWater || work.lampWater->patch != patch) {
-        work.lampWater.reset();
-        work.lampWater = std::make_unique<LampWater>(LampWater{patch, WaterSurface(frame.context), Beams{}});
+void Lights::tracePointLightWater(const Frame& frame, int light, LightWork& work, const WaterPatch& patch) {
+    if (!work.pointLightWater || work.pointLightWater->patch != patch) {
+        work.pointLightWater.reset();
+        work.pointLightWater =
+            std::make_unique<PointLightWater>(PointLightWater{patch, WaterSurface(frame.context), Beams{}});
     }
-    LampWater& own = *work.lampWater;
+    PointLightWater& own = *work.pointLightWater;
     own.surface.update(frame.scene.water, own.patch, frame.plan.origin, frame.time);
     _tracer.prepare(own.beams, own.surface.mesh(), frame.light(light), frame.scene.water,
                     frame.planOf(light).frame);
@@ -212,19 +213,19 @@ void Lights::drawFirstHits(const Frame& frame, int light, SceneDepth& depth) {
                     {work(light).beams, frame.receivers.all(), planned.farthest});
 }
 
-void Lights::drawLampShadow(const Frame& frame, int light) {
+void Lights::drawPointLightShadow(const Frame& frame, int light) {
     LightWork& work = _works[std::size_t(light)];
     if (!isSubmerged(frame.light(light), frame.scene.water)) {
-        work.beams.lampShadow = nullptr;
+        work.beams.pointLightShadow = nullptr;
         return;
     }
-    if (!_lampShadow) _lampShadow = std::make_unique<LampShadowPass>(frame.context);
-    work.lampSurrounds.bring(frame.making, {asBeamsRead(frame.planOf(light).frame), frame.receivers.stamps()},
-                             [&] {
-                                 Scope scope(frame.timers, "lamp shadow");
-                                 _lampShadow->draw(work.lampShadow, work.beams, frame.receivers.all());
-                             });
-    work.beams.lampShadow = &work.lampShadow;
+    if (!_pointLightShadow) _pointLightShadow = std::make_unique<PointLightShadowPass>(frame.context);
+    work.pointLightSurrounds.bring(
+        frame.making, {asBeamsRead(frame.planOf(light).frame), frame.receivers.stamps()}, [&] {
+            Scope scope(frame.timers, "point light shadow");
+            _pointLightShadow->draw(work.pointLightShadow, work.beams, frame.receivers.all());
+        });
+    work.beams.pointLightShadow = &work.pointLightShadow;
 }
 
 } // namespace limpid

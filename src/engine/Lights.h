@@ -5,7 +5,7 @@
 
 #include "caustics/LightWork.h"
 #include "engine/Frame.h"
-#include "levelmap/LampShadow.h"
+#include "levelmap/PointLightShadow.h"
 #include "levelmap/SurfaceShadow.h"
 
 namespace limpid {
@@ -30,13 +30,13 @@ class Lights {
     /// Into a map that is nobody's, for who needs it where the method does not.
     SceneDepth firstHits(const Frame& frame, int light);
     /// What a point light below the surface sees; for pictures.
-    void drawLampShadow(const Frame& frame, int light);
+    void drawPointLightShadow(const Frame& frame, int light);
 
   private:
     void frameBeams(const Frame& frame, int light, LightWork& work);
     void shadeSurface(const Frame& frame, int light, LightWork& work);
     void trace(const Frame& frame, int light, LightWork& work, const LightWork::TracedFrom& from);
-    void traceLampWater(const Frame& frame, int light, LightWork& work, const WaterPatch& patch);
+    void tracePointLightWater(const Frame& frame, int light, LightWork& work, const WaterPatch& patch);
     void traceDisc(const Frame& frame, int light, LightWork& work, std::span<const LightFrameData> frames);
     void drawFirstHits(const Frame& frame, int light, SceneDepth& depth);
 
@@ -44,7 +44,8 @@ class Lights {
     SurfaceShadowPass _surfaceShadow;
     SceneDepthPass _firstHits;
     BeamTilesPass _tiles;
-    std::unique_ptr<LampShadowPass> _lampShadow; ///< made for the first point light under water in a picture
+    std::unique_ptr<PointLightShadowPass>
+        _pointLightShadow;                       ///< made for the first point light under water in a picture
     std::deque<LightWork> _works;                ///< which stay where they are: beams point into them
 };
 

@@ -23,17 +23,17 @@ constexpr double stray = 0.2;
 /// corner by a phase function of 0.002 sr⁻¹ is then still a hundred of them.
 constexpr double stepsOfEven = 0x1p24;
 
-/// The slope that light from a lamp spreads by at most: at grazing incidence.
+/// The slope that light from a point light spreads by at most: at grazing incidence.
 double widest(const Water& water) {
     return 1 / std::sqrt(std::max(water.ior * water.ior - 1, 1e-6));
 }
 
-/// Metres below which a lamp's light seems to come from, over the level, seen from straight below it.
+/// Metres below which a point light's light seems to come from, over the level, seen from straight below it.
 double fanHeight(const GodrayInputs& inputs, const GodraySource& source) {
     return std::max(source.light.position.y - inputs.scene.water.level, 1e-6) * inputs.scene.water.ior;
 }
 
-/// Flux of 1 m² of the level, in the unit of beams, about where a lamp is closest.
+/// Flux of 1 m² of the level, in the unit of beams, about where a point light is closest.
 double evenFlux(const GodrayInputs& inputs, const GodraySource& source) {
     if (source.light.type == LightType::Directional) return 1;
     const double height = std::max(source.light.position.y - inputs.scene.water.level, 1e-6);
@@ -51,10 +51,10 @@ glm::vec4 layerRect(const GodrayInputs& inputs, const GodraySource& source, doub
         const glm::dvec2 aside = glm::dvec2(light.x, light.z) / -light.y * depth;
         min += aside, max += aside;
     } else {
-        const glm::dvec2 lamp(source.light.position.x, source.light.position.z);
+        const glm::dvec2 pointLight(source.light.position.x, source.light.position.z);
         const double height = fanHeight(inputs, source), most = widest(water);
-        min += glm::clamp((min - lamp) / height, -most, most) * depth;
-        max += glm::clamp((max - lamp) / height, -most, most) * depth;
+        min += glm::clamp((min - pointLight) / height, -most, most) * depth;
+        max += glm::clamp((max - pointLight) / height, -most, most) * depth;
     }
     return glm::vec4(min - margin - origin, max - min + 2 * margin);
 }
@@ -127,8 +127,9 @@ void ExactShafts::march(const GodrayInputs& inputs, const GodraySource& source, 
     _march.set(stepCountLocation, inputs.scene.godrays.steps);
     _march.set(nearLocation, inputs.camera.viewProjection[3][2]);
     _march.set(meanLostLocation, float((lost.x + lost.y + lost.z) / 3));
-    const glm::dvec3 lamp = source.light.position - inputs.origin;
-    _march.set(fanLocation, glm::vec4(lamp.x, lamp.z, 1 / fanHeight(inputs, source), widest(water)));
+    const glm::dvec3 pointLight = source.light.position - inputs.origin;
+    _march.set(fanLocation,
+               glm::vec4(pointLight.x, pointLight.z, 1 / fanHeight(inputs, source), widest(water)));
     _lit.bind(litUnit);
     _noVertices.bind();
     _march.use();

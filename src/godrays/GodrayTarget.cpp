@@ -34,7 +34,7 @@ void GodrayTarget::begin(const GodrayInputs& inputs, Surface surface) {
     grid.indices(inputs.surface.indices);
     grid.bind();
     _surface.use();
-    if (surface == Surface::Sheer) glDepthMask(GL_FALSE);
+    if (surface == Surface::Blended) glDepthMask(GL_FALSE);
     glDrawElements(GL_TRIANGLES, 3 * inputs.surface.triangleCount, GL_UNSIGNED_INT, nullptr);
     glDepthMask(GL_TRUE);
 }

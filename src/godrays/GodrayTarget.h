@@ -27,7 +27,7 @@ class GodrayTarget {
 
     /// Whether the surface stands in `depth`: lines end there and would lose the rim of what is drawn wider
     /// than it is.
-    enum class Surface { Sheer, Solid };
+    enum class Surface { Blended, Solid };
     /// Black, `scale` times the picture's size; the frame is bound.
     void begin(const GodrayInputs& inputs, Surface surface);
     /// RGBA32F, row 0 at the bottom: W/(m² sr); alpha 1 over the metres along the view to what ends it, 0 for

@@ -52,7 +52,7 @@ void PhotonLines::draw(GodrayTarget& target, const GodrayInputs& inputs) {
         castLines(inputs, source);
         const gl::Buffer frame = godrayFrame(_context.ledger(), inputs, source);
         frame.bindUniform(godrayFrameBlock);
-        if (!begun) target.begin(inputs, GodrayTarget::Surface::Sheer);
+        if (!begun) target.begin(inputs, GodrayTarget::Surface::Blended);
         begun = true;
         target.bind();
         const NearIsOneTested reversed;

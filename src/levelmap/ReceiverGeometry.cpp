@@ -74,7 +74,7 @@ Bounds boundsOf(const Receiver& receiver, const MeshPart& part) {
 
 ReceiverGeometry::ReceiverGeometry(gl::Context& context, const Receiver& receiver, const glm::dvec3& origin)
     : _parts(receiver.mesh->parts), _materials(receiver.mesh->materials), _closed(isSolid(receiver)),
-      _partlySheer(isPartlySheer(*receiver.mesh)) {
+      _partlyBlended(isPartlyBlended(*receiver.mesh)) {
     gl::Ledger& ledger = context.ledger();
     if (receiver.host)
         takeHostMesh(context, receiver, origin);
@@ -87,9 +87,9 @@ ReceiverGeometry::ReceiverGeometry(gl::Context& context, const Receiver& receive
     _vertexArray.indices(_indices);
     for (std::size_t i = 0; i < _parts.size(); ++i) {
         const Material& material = _materials[std::size_t(_parts[i].material)];
-        if (!isSheer(material)) continue;
+        if (!isBlended(material)) continue;
         const glm::dvec3 center = boundsOf(receiver, _parts[i]).center();
-        _sheerParts.push_back({i, glm::vec3(center - origin)});
+        _blendedParts.push_back({i, glm::vec3(center - origin)});
     }
 }
 
@@ -109,7 +109,7 @@ void ReceiverGeometry::takeHostMesh(gl::Context& context, const Receiver& receiv
     _parts = {{0, std::uint32_t(triangles.indexCount), 0}};
     _materials.assign(1, {});
     _materials[0].baseColor = glm::vec4(receiver.host->albedo, 1);
-    _partlySheer = false;
+    _partlyBlended = false;
     uploadImages(context.ledger(), {});
 }
 
@@ -152,7 +152,7 @@ void ReceiverGeometry::drawPart(std::size_t index, const gl::Program& program, G
 
 void ReceiverGeometry::drawPart(std::size_t part, const gl::Program& program, GLenum primitive) const {
     program.set(transmissionLocation, _materials[std::size_t(_parts[part].material)].transmission);
-    program.set(ofPartlySheerLocation, _partlySheer ? 1 : 0);
+    program.set(ofPartlyBlendedLocation, _partlyBlended ? 1 : 0);
     drawPart(part, program, primitive, 0);
 }
 
@@ -168,7 +168,7 @@ template <typename Prepare>
 void ReceiverGeometry::drawShown(const gl::Program& program, const Prepare& prepare) const {
     for (std::size_t i = 0; i < _parts.size(); ++i) {
         const Material& material = _materials[std::size_t(_parts[i].material)];
-        const float alpha = shownAlpha(material, _partlySheer);
+        const float alpha = shownAlpha(material, _partlyBlended);
         if (alpha > 1 || (material.alphaMode != AlphaMode::Blend && meanThrough(material) >= 1)) continue;
         prepare(material);
         drawPart(i, program, GL_TRIANGLES, alpha);

@@ -31,17 +31,17 @@ class ReceiverGeometry {
     void drawPart(std::size_t part, const gl::Program& program, GLenum primitive = GL_TRIANGLES) const;
 
     /// A part of a material that is blended or transmissive.
-    struct SheerPart {
+    struct BlendedPart {
         std::size_t part;
         glm::vec3 center; ///< of its bounds, m from the scene's origin
     };
-    const std::vector<SheerPart>& sheerParts() const { return _sheerParts; }
+    const std::vector<BlendedPart>& blendedParts() const { return _blendedParts; }
 
     /// Whether its surface encloses a solid: closed, wound outwards as far as signs of scale can say, and
     /// without holes of cut-outs.
     bool closed() const { return _closed; }
     /// Whether some of it takes a part of the light and lets the rest through.
-    bool translucent() const { return !_sheerParts.empty(); }
+    bool translucent() const { return !_blendedParts.empty(); }
 
   private:
     void uploadMesh(gl::Ledger& ledger, const Receiver& receiver, const glm::dvec3& origin);
@@ -57,8 +57,8 @@ class ReceiverGeometry {
     gl::Texture _white;
     std::vector<MeshPart> _parts;
     std::vector<Material> _materials;
-    std::vector<SheerPart> _sheerParts;
-    bool _closed = false, _partlySheer = false;
+    std::vector<BlendedPart> _blendedParts;
+    bool _closed = false, _partlyBlended = false;
 };
 
 } // namespace limpid

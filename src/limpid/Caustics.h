@@ -16,7 +16,7 @@
 /// RGB.
 namespace limpid {
 
-/// The light of one lamp on one receiver, as textures that the host samples (limpid_caustics.glsl). They
+/// What one light brings to one receiver, as textures that the host samples (limpid_caustics.glsl). They
 /// belong to Caustics; their names hold until its next set(), update() or
 /// render(). Row 0 is the top: u right, v down.
 struct LitMap {

@@ -69,8 +69,8 @@ std::vector<Light> partsOf(const Light& light) {
     return parts;
 }
 
-/// The points of a box that the outermost rays of a light may go to: its corners, and for a lamp beside a
-/// long box the places nearest to it, whose rays enter further out.
+/// The points of a box that the outermost rays of a light may go to: its corners, and for a point light
+/// beside a long box the places nearest to it, whose rays enter further out.
 std::vector<glm::dvec3> outermost(const Bounds& box, const Light& light) {
     const glm::dvec3 nearest = glm::clamp(light.position, box.min, box.max);
     std::vector<glm::dvec3> points;

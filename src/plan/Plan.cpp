@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "plan/LampPatch.h"
+#include "plan/PointLightPatch.h"
 
 namespace limpid {
 
@@ -48,7 +48,7 @@ PlannedLight planLight(const Light& light, const Water& water, const Plan& plan)
         planned.frame.sceneDepthRect = sceneDepthRect(light, water, points, plan.origin);
         planned.farthest = farthestWater(light, water, points);
     }
-    planned.lampPatch = lampPatch(light, water, plan.patch);
+    planned.pointLightPatch = pointLightPatch(light, water, plan.patch);
     planned.frame.surfaceShadowRect = surfaceShadowRect(light, water, plan.patch, plan.dry, plan.origin);
     return planned;
 }

@@ -16,7 +16,8 @@ struct PlannedLight {
     bool enters = false;  ///< the water, from above
     LightFrameData frame; ///< m from the plan's origin
     double farthest = 1;  ///< m of water to the farthest receiver, at most; of a light that enters
-    std::optional<WaterPatch> lampPatch; ///< for a point light close to the water (plan/LampPatch.h)
+    std::optional<WaterPatch>
+        pointLightPatch; ///< for a point light close to the water (plan/PointLightPatch.h)
 };
 
 /// All that follows from a scene without a GPU: where what is to be computed, and what need not be. A value;

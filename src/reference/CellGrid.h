@@ -8,15 +8,15 @@
 
 namespace limpid::reference {
 
-/// One jittered subdivision of the water's patch into rectangles. Under a lamp they are narrow at its foot,
-/// so that a lamp close to the water is met as finely as one far away.
+/// One jittered subdivision of the water's patch into rectangles. Under a point light they are narrow at its
+/// foot, so that a point light close to the water is met as finely as one far away.
 struct CellGrid {
     glm::dvec2 min{0}, max{1}; ///< x and z, m from the origin
     glm::ivec2 count{1};       ///< cells
     std::uint64_t seed = 0;    ///< another one, another subdivision
     bool stretched = false;
-    glm::dvec2 foot{0}; ///< of the lamp
-    double height = 1;  ///< of the lamp, m
+    glm::dvec2 foot{0}; ///< of the point light
+    double height = 1;  ///< of the point light, m
 
     /// Line `i` in [0, count] of an axis. The outer ones stay where the patch ends; each other one moves
     /// within its own share, so that they keep their order.

@@ -49,7 +49,7 @@ glm::vec4 sampled(const Mesh& mesh, int index, const Sampling& how, const glm::v
 
 Sheets::Sheets(const Mesh& mesh) {
     if (std::none_of(mesh.materials.begin(), mesh.materials.end(), isTranslucent)) return;
-    _partly = isPartlySheer(mesh);
+    _partly = isPartlyBlended(mesh);
     _materials.assign(mesh.triangleCount(), 0);
     for (const MeshPart& part : mesh.parts)
         std::fill_n(_materials.begin() + part.firstIndex / 3, part.indexCount / 3, part.material);

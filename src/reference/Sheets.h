@@ -28,7 +28,7 @@ class Sheets {
     };
     Place at(const Mesh& mesh, std::uint32_t face, const glm::vec2& place) const;
     std::vector<int> _materials; ///< of each face; empty if all are opaque
-    bool _partly = false;        ///< of a mesh that is partly sheer
+    bool _partly = false;        ///< of a mesh that is partly blended
 };
 
 } // namespace limpid::reference

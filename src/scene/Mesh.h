@@ -54,7 +54,7 @@ inline bool isTranslucent(const Material& material) {
 }
 
 /// A material of which something shows through all faces, not through holes alone.
-inline bool isSheer(const Material& material) {
+inline bool isBlended(const Material& material) {
     return material.alphaMode == AlphaMode::Blend || material.transmission > 0;
 }
 
@@ -106,12 +106,14 @@ struct Mesh {
     std::size_t triangleCount() const { return indices.size() / 3; }
 };
 
-/// A mesh of which some is sheer and the rest is not. A map of it shows the rest: one surface has a texel,
+/// A mesh of which some is blended and the rest is not. A map of it shows the rest: one surface has a texel,
 /// and a sheet that had it would take it from what the light meets behind the sheet.
-inline bool isPartlySheer(const Mesh& mesh) {
-    const auto sheer = [&](const MeshPart& p) { return isSheer(mesh.materials[std::size_t(p.material)]); };
-    return std::any_of(mesh.parts.begin(), mesh.parts.end(), sheer) &&
-           !std::all_of(mesh.parts.begin(), mesh.parts.end(), sheer);
+inline bool isPartlyBlended(const Mesh& mesh) {
+    const auto blended = [&](const MeshPart& p) {
+        return isBlended(mesh.materials[std::size_t(p.material)]);
+    };
+    return std::any_of(mesh.parts.begin(), mesh.parts.end(), blended) &&
+           !std::all_of(mesh.parts.begin(), mesh.parts.end(), blended);
 }
 
 /// Alpha below which a place of the material is a hole, 0: none is; `ofBlended` of what is blended.
@@ -128,7 +130,7 @@ inline float holeAlpha(const Material& material, float ofBlended) {
 }
 
 /// Alpha from which a map shows a place of the material; above 1 where it never does. `partly`: of a mesh
-/// that is partly sheer.
+/// that is partly blended.
 inline float shownAlpha(const Material& material, bool partly) {
     if (partly && material.transmission > 0) return 2;
     // The soft rim of a leaf on a texture counts from its middle.

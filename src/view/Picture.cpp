@@ -61,7 +61,7 @@ int PicturePass::largestSide(const gl::Context& context) {
 void PicturePass::drawView(const ReceiverPass::Inputs& receivers, const gl::Framebuffer& target, Side side,
                            Way way) {
     _receivers.drawSolid(receivers, target, side, way);
-    _receivers.drawSheer(receivers, target, side, way);
+    _receivers.drawBlended(receivers, target, side, way);
 }
 
 /// To `radiance`. `depth` as drawn, `near` its plane, m.
@@ -127,7 +127,7 @@ void PicturePass::drawRows(const Inputs& inputs, const Sketch& sketch, glm::ivec
     _water.draw({inputs.scene, inputs.origin, inputs.patch, inputs.surface, frame, inputs.lights,
                  &sketch._refracted.radiance, &sketch._refracted.distance, &sketch._mirrored.radiance,
                  &sketch._mirrored.distance});
-    _receivers.drawSheer(receivers, sketch._target, frame.nearSide(), Way::Straight);
+    _receivers.drawBlended(receivers, sketch._target, frame.nearSide(), Way::Straight);
     if (inputs.godrays) addGodrays(inputs, sketch._radiance, sketch._depth, frame.viewProjection[3][2]);
 }
 

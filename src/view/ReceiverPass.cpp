@@ -37,8 +37,8 @@ void ReceiverPass::prepare(const Inputs& inputs) {
 
 void ReceiverPass::drawOnce(const Inputs& inputs, const Drawn& drawn) {
     const ReceiverGeometry& receiver = inputs.receivers[drawn.receiver];
-    if (drawn.sheer)
-        receiver.drawPart(drawn.sheer->part, _receiver, GL_PATCHES);
+    if (drawn.blended)
+        receiver.drawPart(drawn.blended->part, _receiver, GL_PATCHES);
     else
         receiver.drawSolid(_receiver, GL_PATCHES);
 }
@@ -54,14 +54,15 @@ void ReceiverPass::addCaustics(const Inputs& inputs, const Drawn& drawn) {
     _receiver.set(withCausticsLocation, 0);
 }
 
-/// What does not go through the surface: light on what stands out of the water, and lamps below it.
+/// What does not go through the surface: light on what stands out of the water, and point lights below it.
 void ReceiverPass::addDirectLight(const Inputs& inputs, const Drawn& drawn, Side side) {
     for (std::size_t i = 0; i < inputs.scene.lights.size(); ++i) {
         const Light& light = inputs.scene.lights[i];
         if (isSubmerged(light, inputs.scene.water) != (side == Side::Below)) continue;
         inputs.lights[i]->frame.bindUniform(lightFrameBlock);
         if (inputs.lights[i]->surfaceShadow) inputs.lights[i]->surfaceShadow->bind(surfaceShadowUnit);
-        if (inputs.lights[i]->lampShadow) inputs.lights[i]->lampShadow->bind(lampShadowUnit);
+        if (inputs.lights[i]->pointLightShadow)
+            inputs.lights[i]->pointLightShadow->bind(pointLightShadowUnit);
         _receiver.set(strengthLocation,
                       glm::vec3(light.type == LightType::Point ? light.intensity : light.irradiance));
         drawOnce(inputs, drawn);
@@ -71,7 +72,7 @@ void ReceiverPass::addDirectLight(const Inputs& inputs, const Drawn& drawn, Side
 
 /// One pass for each light; the first brings the ambient light, the others add to it.
 void ReceiverPass::drawLit(const Inputs& inputs, const Drawn& drawn, Side side) {
-    if (drawn.sheer) glEnablei(GL_BLEND, 0);
+    if (drawn.blended) glEnablei(GL_BLEND, 0);
     glBlendFunci(0, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     _receiver.set(withAmbientLocation, 1);
     drawOnce(inputs, drawn);
@@ -91,7 +92,7 @@ void ReceiverPass::begin(const Inputs& inputs, const gl::Framebuffer& target, Si
     glPatchParameteri(GL_PATCH_VERTICES, 3);
     _receiver.set(underwaterLocation, side == Side::Below ? 1 : 0);
     _receiver.set(wayLocation, int(way));
-    _receiver.set(sheerSideLocation, 0);
+    _receiver.set(blendedSideLocation, 0);
     _receiver.set(withCausticsLocation, 0);
     _receiver.set(strengthLocation, glm::vec3(0));
 }
@@ -109,12 +110,12 @@ void ReceiverPass::drawSolid(const Inputs& inputs, const gl::Framebuffer& target
 }
 
 /// From the farthest part to the nearest, of each the back first.
-void ReceiverPass::drawSheer(const Inputs& inputs, const gl::Framebuffer& target, Side side, Way way) {
+void ReceiverPass::drawBlended(const Inputs& inputs, const gl::Framebuffer& target, Side side, Way way) {
     std::vector<Drawn> parts;
     for (std::size_t i = 0; i < inputs.receivers.size(); ++i)
-        for (const ReceiverGeometry::SheerPart& part : inputs.receivers[i].sheerParts())
+        for (const ReceiverGeometry::BlendedPart& part : inputs.receivers[i].blendedParts())
             parts.push_back({i, &part});
-    const auto far = [&](const Drawn& d) { return glm::distance(d.sheer->center, inputs.camera); };
+    const auto far = [&](const Drawn& d) { return glm::distance(d.blended->center, inputs.camera); };
     std::stable_sort(parts.begin(), parts.end(),
                      [&](const Drawn& a, const Drawn& b) { return far(a) > far(b); });
     if (parts.empty()) return;
@@ -125,10 +126,10 @@ void ReceiverPass::drawSheer(const Inputs& inputs, const gl::Framebuffer& target
     glBlendEquationi(1, GL_MAX);
     for (const Drawn& part : parts)
         for (const int seenFrom : {-1, 1}) {
-            _receiver.set(sheerSideLocation, seenFrom);
+            _receiver.set(blendedSideLocation, seenFrom);
             drawLit(inputs, part, side);
         }
-    _receiver.set(sheerSideLocation, 0);
+    _receiver.set(blendedSideLocation, 0);
     glBlendEquationi(1, GL_FUNC_ADD);
     glDisablei(GL_BLEND, 1);
     glDepthMask(GL_TRUE);

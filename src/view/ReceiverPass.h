@@ -46,13 +46,13 @@ class ReceiverPass {
     /// far away); all cleared by the caller. The view frame is bound.
     void drawSolid(const Inputs& inputs, const gl::Framebuffer& target, Side side, Way way);
     /// What lets something show through, over all that is in `target`; it leaves depth alone.
-    void drawSheer(const Inputs& inputs, const gl::Framebuffer& target, Side side, Way way);
+    void drawBlended(const Inputs& inputs, const gl::Framebuffer& target, Side side, Way way);
 
   private:
     /// What is drawn at once: what of a receiver hides all behind it, or one of its blended parts.
     struct Drawn {
         std::size_t receiver;
-        const ReceiverGeometry::SheerPart* sheer = nullptr;
+        const ReceiverGeometry::BlendedPart* blended = nullptr;
     };
     void drawOnce(const Inputs& inputs, const Drawn& drawn);
     void addCaustics(const Inputs& inputs, const Drawn& drawn);

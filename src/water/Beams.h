@@ -18,7 +18,8 @@ struct Beams {
     gl::Buffer lit;   ///< a triangle: float, the share of its flux that things above the water leave
     gl::Buffer frame; ///< LightFrameData
     const gl::Texture* surfaceShadow = nullptr; ///< what those things leave dark; null if there are none
-    const gl::Texture* lampShadow = nullptr;    ///< what a lamp under water sees; null for any other light
+    const gl::Texture* pointLightShadow =
+        nullptr; ///< what a point light under water sees; null for any other light
     glm::vec4 rect{0, 0, 1, 1};                 ///< sceneDepthRect of `frame`
     glm::dvec3 strength{0};                     ///< strengthOf its light
     int vertexCount = 0;

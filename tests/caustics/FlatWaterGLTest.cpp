@@ -145,10 +145,10 @@ TEST_P(CausticMapGLTest, aLightThatDoesNotEnterGivesNothing) {
     scene.receivers = {scenes::floorAt(-1)};
     scene.water.grid = {8, 8};
     scene.caustics.mapSize = 32;
-    Light lamp;
-    lamp.type = LightType::Point;
-    lamp.position = {0, -0.5, 0};
-    scene.lights = {scenes::sunAt(100, "set"), lamp};
+    Light pointLight;
+    pointLight.type = LightType::Point;
+    pointLight.position = {0, -0.5, 0};
+    scene.lights = {scenes::sunAt(100, "set"), pointLight};
     const Baked baked = bake(scene, true);
     for (const MapData& map : baked.maps)
         for (const float e : map.irradiance)
@@ -157,21 +157,21 @@ TEST_P(CausticMapGLTest, aLightThatDoesNotEnterGivesNothing) {
     EXPECT_EQ(baked.flux[0].residual(), 0);
 }
 
-TEST_P(CausticMapGLTest, aLampOverFlatWaterIsBrightestBelowIt) {
+TEST_P(CausticMapGLTest, aPointLightOverFlatWaterIsBrightestBelowIt) {
     Scene scene = empty();
     scene.caustics.photonGrid = {200, 200};
     scene.receivers = {scenes::floorAt(-1)};
     scene.water.grid = {96, 96};
     scene.caustics.mapSize = 128;
-    Light lamp;
-    lamp.type = LightType::Point;
-    lamp.position = {0, 1, 0};
-    scene.lights = {lamp};
+    Light pointLight;
+    pointLight.type = LightType::Point;
+    pointLight.position = {0, 1, 0};
+    scene.lights = {pointLight};
     const Baked baked = bake(scene);
     const MapData& map = baked.maps[0];
     const std::size_t center = 3 * (64 * 128 + 64);
-    // On the axis flat water widens the solid angle as if the lamp stood at n · (its height): E = I T / (h +
-    // d/n)².
+    // On the axis flat water widens the solid angle as if the point light stood at n · (its height): E = I T
+    // / (h + d/n)².
     const double expected = optics::fresnelTransmittance(1.0, 1 / 1.333) / std::pow(1 + 1 / 1.333, 2);
     EXPECT_NEAR(map.irradiance[center], expected, 0.01 * expected);
     EXPECT_GT(map.irradiance[center], map.irradiance[3 * (64 * 128 + 10)]);

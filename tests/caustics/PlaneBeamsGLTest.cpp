@@ -9,7 +9,7 @@ namespace limpid {
 namespace {
 
 /// Scenes that between them have all that the pass does: planes and sub-boxes, shade of other receivers,
-/// colour, a lamp, what stands out of the water, and beams of thousands of texels.
+/// colour, a point light, what stands out of the water, and beams of thousands of texels.
 struct PlaneCase {
     const char* name;
     Scene (*scene)();
@@ -43,7 +43,7 @@ Scene subBoxes() {
     return scene;
 }
 
-Scene lamp() {
+Scene pointLight() {
     Scene scene = waves({scenes::model("sphere", -1.2)}, 0);
     scene.lights[0].type = LightType::Point;
     scene.lights[0].position = {0.3, 0.6, -0.2};
@@ -215,7 +215,7 @@ TEST_P(PlaneBeamsGLTest, differsFromTheDrawnFormAtEdgesOnly) {
 
 INSTANTIATE_TEST_SUITE_P(scenes, PlaneBeamsGLTest,
                          ::testing::Values(PlaneCase{"teapot", teapot}, PlaneCase{"shadedFloor", shadedFloor},
-                                           PlaneCase{"subBoxes", subBoxes}, PlaneCase{"lamp", lamp},
+                                           PlaneCase{"subBoxes", subBoxes}, PlaneCase{"lamp", pointLight},
                                            PlaneCase{"reef", reef}, PlaneCase{"flanks", flanks},
                                            PlaneCase{"largeBeams", largeBeams}),
                          [](const auto& scene) { return std::string(scene.param.name); });

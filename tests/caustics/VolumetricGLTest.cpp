@@ -136,11 +136,11 @@ TEST_P(VolumetricIdentityGLTest, inTheShadeOfAnother) {
     Scene scene = sceneOf(GetParam(), 35, 17);
     scene.receivers.push_back(scenes::floorAt(-1.6));
     scene.receivers.push_back(scenes::shape("ball", makeSphere(0.1, glm::vec3(0.8f)), {-0.2, -0.3, 0}));
-    Light lamp;
-    lamp.type = LightType::Point;
-    lamp.name = "lamp";
-    lamp.position = {0.6, 0.8, 0.3};
-    scene.lights.push_back(lamp);
+    Light pointLight;
+    pointLight.type = LightType::Point;
+    pointLight.name = "lamp";
+    pointLight.position = {0.6, 0.8, 0.3};
+    scene.lights.push_back(pointLight);
     addWaves(scene);
     EXPECT_GT(expectIdentity(scene), 100) << "there is penumbra to compare";
 }

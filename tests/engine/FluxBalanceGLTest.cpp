@@ -2,7 +2,7 @@
 
 #include "core/Optics.h"
 #include "engine/EngineFixture.h"
-#include "plan/LampPatch.h"
+#include "plan/PointLightPatch.h"
 
 namespace limpid {
 namespace {
@@ -55,21 +55,21 @@ TEST_F(FluxBalanceGLTest, underWaves) {
     EXPECT_LT(flux.rejected, 0.01 * flux.entering);
 }
 
-TEST_F(FluxBalanceGLTest, aLampNearTheWater) {
+TEST_F(FluxBalanceGLTest, aPointLightNearTheWater) {
     Scene scene = floorPastSphere();
-    Light lamp;
-    lamp.type = LightType::Point;
-    lamp.position = {0.5, 0.6, 0.2};
-    scene.lights = {lamp};
+    Light pointLight;
+    pointLight.type = LightType::Point;
+    pointLight.position = {0.5, 0.6, 0.2};
+    scene.lights = {pointLight};
     const FluxBalance flux = bake(scene, true).flux.at(0);
     EXPECT_LT(share(flux), most(flux)) << flux.residual() << " W of " << flux.entering;
 }
 
-/// A lamp `above` flat water, of 1 W/sr, over a floor `below` it.
-struct LampOverFloor {
+/// A point light `above` flat water, of 1 W/sr, over a floor `below` it.
+struct PointLightOverFloor {
     double above, below, ior;
 
-    /// W/m² where light ends that leaves the lamp at this angle from straight down: what a ring of the
+    /// W/m² where light ends that leaves the point light at this angle from straight down: what a ring of the
     /// surface takes, over the ring of the floor that it lights.
     double irradiance(double angle) const {
         const double away = above * std::tan(angle), square = ior * ior;
@@ -83,15 +83,16 @@ struct LampOverFloor {
     }
 };
 
-// A lamp 1 mm above the water, whose quads are 60 mm wide: its beams begin in finer ones (plan/LampPatch.h).
-TEST_F(FluxBalanceGLTest, aLampThatAlmostTouchesTheWater) {
-    const LampOverFloor truth{0.001, 1, 1.333};
+// A point light 1 mm above the water, whose quads are 60 mm wide: its beams begin in finer ones
+// (plan/PointLightPatch.h).
+TEST_F(FluxBalanceGLTest, aPointLightThatAlmostTouchesTheWater) {
+    const PointLightOverFloor truth{0.001, 1, 1.333};
     Scene scene;
     scene.receivers = {scenes::floorAt(-1)};
-    Light lamp;
-    lamp.type = LightType::Point;
-    lamp.position = {0, truth.above, 0};
-    scene.lights = {lamp};
+    Light pointLight;
+    pointLight.type = LightType::Point;
+    pointLight.position = {0, truth.above, 0};
+    scene.lights = {pointLight};
     scene.water.size = glm::dvec2(4);
     scene.water.grid = {64, 64};
     scene.caustics.mapSize = 128;
@@ -99,24 +100,25 @@ TEST_F(FluxBalanceGLTest, aLampThatAlmostTouchesTheWater) {
     const FluxBalance& flux = baked.flux.at(0);
     EXPECT_LE(share(flux), most(flux));
 
-    // All of the half-space below but what passes the patch, of which a lamp so low sends 3e-4 of a radian,
-    // at an angle where most is reflected. A mean of corners is wrong in the second order of what turns
-    // between them.
+    // All of the half-space below but what passes the patch, of which a point light so low sends 3e-4 of a
+    // radian, at an angle where most is reflected. A mean of corners is wrong in the second order of what
+    // turns between them.
     double entering = 0;
     const int rings = 10000;
     for (int i = 0; i < rings; ++i)
         entering += 2 * M_PI / rings * optics::fresnelTransmittance((i + 0.5) / rings, 1 / truth.ior);
-    EXPECT_NEAR(flux.entering, entering, lampTurn * lampTurn / 8 * entering);
+    EXPECT_NEAR(flux.entering, entering, pointLightTurn * pointLightTurn / 8 * entering);
 
-    // Each beam's light is even. Across one it should change as the closed form does across lampTurn; what
-    // changes evenly is a quarter of that from its mean, on the mean.
+    // Each beam's light is even. Across one it should change as the closed form does across pointLightTurn;
+    // what changes evenly is a quarter of that from its mean, on the mean.
     double difference = 0, most = 0;
     const MapData& map = baked.maps.at(0);
     for (std::size_t i = 0; i < map.normalDotAxis.size(); ++i) {
         const double across = std::hypot(map.position[4 * i], map.position[4 * i + 2]);
-        const double angle = truth.angleTo(across), end = std::min(angle + 0.5 * lampTurn, 0.5 * M_PI);
+        const double angle = truth.angleTo(across), end = std::min(angle + 0.5 * pointLightTurn, 0.5 * M_PI);
         difference += std::abs(double(map.irradiance[3 * i]) - truth.irradiance(angle));
-        most += 0.25 * std::abs(truth.irradiance(end) - truth.irradiance(std::abs(angle - 0.5 * lampTurn)));
+        most +=
+            0.25 * std::abs(truth.irradiance(end) - truth.irradiance(std::abs(angle - 0.5 * pointLightTurn)));
     }
     EXPECT_LE(difference, most);
     printf(
@@ -138,7 +140,7 @@ TEST_F(FluxBalanceGLTest, aSpotPastTheSphere) {
     EXPECT_LT(share(flux), most(flux)) << flux.residual() << " W of " << flux.entering;
     // All of the cone lands on floor and sphere.
     EXPECT_NEAR(flux.deposited, flux.entering, 0.02 * flux.entering);
-    // The floor's corners see the lamp past the cone.
+    // The floor's corners see the point light past the cone.
     const MapData& floor = baked.maps.at(0);
     EXPECT_EQ(floor.irradiance.front(), 0);
     EXPECT_EQ(floor.irradiance.back(), 0);

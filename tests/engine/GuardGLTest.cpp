@@ -22,7 +22,7 @@ class GuardGLTest : public EngineGLTest {
     GuardGLTest() {
         scene.receivers = {scenes::floorAt(-0.6),
                            scenes::shape("ball", makeSphere(0.3, glm::vec3(0.8f)), {0, -0.1, 0})};
-        scene.lights = {scenes::sunAt(30), scenes::lampAt({0.2, 1.5, 0.1})};
+        scene.lights = {scenes::sunAt(30), scenes::pointLightAt({0.2, 1.5, 0.1})};
         scene.water.grid = {24, 24};
         scene.water.waves = {scenes::cosine(0.01, 0.5, {1, 0.3})};
         scene.water.scattering = glm::dvec3(0.2);

@@ -87,11 +87,11 @@ class MemoryGLTest : public EngineGLTest {
         Scene scene = pool(Method::ExactBeam);
         scene.receivers.push_back(
             scenes::shape("post", makeBox({0.1, 1, 0.1}, glm::vec3(0.8f)), {0.5, -0.2, 0}));
-        Light lamp;
-        lamp.name = "lamp";
-        lamp.type = LightType::Point;
-        lamp.position = {0.2, -0.3, 0.1};
-        scene.lights.push_back(lamp);
+        Light pointLight;
+        pointLight.name = "lamp";
+        pointLight.type = LightType::Point;
+        pointLight.position = {0.2, -0.3, 0.1};
+        scene.lights.push_back(pointLight);
         return scene;
     }
     static std::vector<Scene> scenes() {

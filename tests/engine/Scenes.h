@@ -52,7 +52,7 @@ inline Light sunAt(double degrees, const char* name = "sun") {
     return light;
 }
 
-inline Light lampAt(const glm::dvec3& position) {
+inline Light pointLightAt(const glm::dvec3& position) {
     Light light;
     light.type = LightType::Point;
     light.position = position;

@@ -129,11 +129,11 @@ TEST_F(SkippingGLTest, passesOverBeamsThatMissAReceiver) {
         Scene scene = balls();
         scene.caustics.method = method;
         scene.lights.push_back(scenes::sunAt(-50, "low"));
-        Light lamp;
-        lamp.name = "lamp";
-        lamp.type = LightType::Point;
-        lamp.position = {0.5, 0.7, 0.1};
-        scene.lights.push_back(lamp);
+        Light pointLight;
+        pointLight.name = "lamp";
+        pointLight.type = LightType::Point;
+        pointLight.position = {0.5, 0.7, 0.1};
+        scene.lights.push_back(pointLight);
         scene.receivers.push_back(scenes::floorAt(-0.9, 0.5));
         Engine skipping(context()), working(context());
         working.setSkipping(false);

@@ -15,7 +15,7 @@ TEST(EntryPoint, liesOnTheRefractedRay) {
     water.level = 0.5;
     const glm::dvec3 point(0.3, -1.2, -0.7);
     for (const Light& light :
-         {scenes::sunAt(50), scenes::lampAt({-1, 2, 0.4}), scenes::lampAt({0.3, 0.501, -0.7})}) {
+         {scenes::sunAt(50), scenes::pointLightAt({-1, 2, 0.4}), scenes::pointLightAt({0.3, 0.501, -0.7})}) {
         const glm::dvec3 entry = entryPoint(light, water, point);
         EXPECT_EQ(entry.y, water.level);
         const glm::dvec3 way = glm::normalize(point - entry);
@@ -27,7 +27,7 @@ TEST(EntryPoint, liesOnTheRefractedRay) {
 TEST(EntryPoint, meetsTheReceiversCentreUnlikeTheThesis) {
     // The thesis aims the ray at the centre before refraction; it then misses by what the water bends it.
     Water water;
-    const Light light = scenes::lampAt({-2, 1, 0});
+    const Light light = scenes::pointLightAt({-2, 1, 0});
     const glm::dvec3 center(1, -1, 0);
     const glm::dvec3 straight(0, 0, 0);
     const glm::dvec3 t = refractedAt(light, water, straight);
@@ -42,8 +42,8 @@ TEST(EntersWater, knowsTheHorizonAndTheSurface) {
     EXPECT_TRUE(entersWater(scenes::sunAt(89.9), water));
     EXPECT_FALSE(entersWater(scenes::sunAt(90), water));
     EXPECT_FALSE(entersWater(scenes::sunAt(120), water));
-    EXPECT_TRUE(entersWater(scenes::lampAt({0, 0.001, 0}), water));
-    EXPECT_FALSE(entersWater(scenes::lampAt({0, -0.001, 0}), water));
+    EXPECT_TRUE(entersWater(scenes::pointLightAt({0, 0.001, 0}), water));
+    EXPECT_FALSE(entersWater(scenes::pointLightAt({0, -0.001, 0}), water));
 }
 
 TEST(CoveringPatch, holdsEveryStartOfARayToTheReceivers) {
@@ -81,11 +81,11 @@ TEST(CoveringPatch, holdsWhatComesFromTheSunsRim) {
     }
 }
 
-TEST(CoveringPatch, reachesALampBesideALongReceiver) {
+TEST(CoveringPatch, reachesAPointLightBesideALongReceiver) {
     // The nearest place of a long floor is lit from further out than any of its corners.
     Scene scene;
     scene.receivers = {scenes::shape("floor", makePlane({1, 10}, glm::vec3(1)), {0, -1, 0})};
-    scene.lights = {scenes::lampAt({-3, 0.05, 0})};
+    scene.lights = {scenes::pointLightAt({-3, 0.05, 0})};
     const WaterPatch patch = coveringPatch(scene);
     for (double z = -5; z <= 5; z += 0.25) {
         const glm::dvec3 entry = entryPoint(scene.lights[0], scene.water, {-0.5, -1, z});

@@ -8,12 +8,12 @@
 namespace limpid {
 namespace {
 
-/// A floor and a ball half out of the water, under a sun and a lamp that is below the level.
+/// A floor and a ball half out of the water, under a sun and a point light that is below the level.
 Scene pond() {
     Scene scene;
     scene.receivers = {scenes::floorAt(-1),
                        scenes::shape("ball", makeSphere(0.4, glm::vec3(0.8f)), {0, 0, 0})};
-    scene.lights = {scenes::sunAt(30), scenes::lampAt({0.2, -0.5, 0})};
+    scene.lights = {scenes::sunAt(30), scenes::pointLightAt({0.2, -0.5, 0})};
     scene.water.waves = {scenes::cosine(0.01, 0.5, {1, 0.3})};
     return scene;
 }

@@ -9,7 +9,7 @@
 namespace limpid {
 namespace {
 
-/// A sphere and a fish over a floor, waves, water that takes light, sun and lamp.
+/// A sphere and a fish over a floor, waves, water that takes light, sun and point light.
 Scene rich() {
     Scene scene;
     scene.receivers = {scenes::floorAt(-1.5, 3),
@@ -18,11 +18,11 @@ Scene rich() {
     scene.water.waves = {scenes::cosine(0.01, 0.5, {1, 0.3}), scenes::noise(0.01, 0.6)};
     scene.water.absorption = {0.3, 0.1, 0.05};
     scene.water.scattering = {0.02, 0.03, 0.04};
-    Light lamp;
-    lamp.name = "lamp";
-    lamp.type = LightType::Point;
-    lamp.position = {0.4, 0.3, 0.2};
-    scene.lights = {scenes::sunAt(30), lamp};
+    Light pointLight;
+    pointLight.name = "lamp";
+    pointLight.type = LightType::Point;
+    pointLight.position = {0.4, 0.3, 0.2};
+    scene.lights = {scenes::sunAt(30), pointLight};
     scene.caustics.mapSize = 128;
     return scene;
 }
@@ -69,15 +69,15 @@ TEST(Balance, aSpotSendsWhatItsConeHolds) {
     EXPECT_EQ(traced.irradiance(0, 0, 0), 0) << "past the cone";
 }
 
-TEST(Balance, aLampSendsItsSolidAngleThroughTheSurface) {
+TEST(Balance, aPointLightSendsItsSolidAngleThroughTheSurface) {
     for (const double height : {0.001, 0.05, 2.0}) {
         Scene scene;
         scene.receivers = {scenes::floorAt(-1)};
         scene.caustics.mapSize = 32;
-        Light lamp;
-        lamp.type = LightType::Point;
-        lamp.position = {0.2, height, 0.1};
-        scene.lights = {lamp};
+        Light pointLight;
+        pointLight.type = LightType::Point;
+        pointLight.position = {0.2, height, 0.1};
+        scene.lights = {pointLight};
         scene.water.size = glm::dvec2(3);
         scene.water.center = glm::dvec2(0);
         const test::Traced traced = test::trace(scene, 100'000);
@@ -99,19 +99,20 @@ TEST(Balance, aLampSendsItsSolidAngleThroughTheSurface) {
     }
 }
 
-TEST(Balance, aLampAtTheWaterIsFollowedAsFinelyAsOneFarAway) {
+TEST(Balance, aPointLightAtTheWaterIsFollowedAsFinelyAsOneFarAway) {
     for (const double height : {0.005, 2.0}) {
         Scene scene;
         scene.receivers = {scenes::floorAt(-1),
                            scenes::shape("ball", makeSphere(0.2, glm::vec3(0.8f)), {0, -0.5, 0})};
         scene.water.waves = {scenes::cosine(0.001, 0.3, {1, 0})};
         scene.caustics.mapSize = 64;
-        Light lamp;
-        lamp.type = LightType::Point;
-        lamp.position = {0.3, height, 0.1};
-        scene.lights = {lamp};
+        Light pointLight;
+        pointLight.type = LightType::Point;
+        pointLight.position = {0.3, height, 0.1};
+        scene.lights = {pointLight};
         const test::Traced traced = test::trace(scene, 200'000);
-        // When cells close to the lamp, which are small but light much, went by their size: 8 and 14 %.
+        // When cells close to the point light, which are small but light much, went by their size: 8 and 14
+        // %.
         EXPECT_LT(traced.map(0).standardError, 0.03) << height;
         EXPECT_LT(traced.map(1).standardError, 0.03) << height;
     }

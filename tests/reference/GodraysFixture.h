@@ -84,7 +84,7 @@ class GodraysGLTest : public EngineGLTest {
         EXPECT_LT(error.nmae, 0.035);
     }
 
-    /// `scene` under a lamp in place of its sun.
+    /// `scene` under a point light in place of its sun.
     static void expectLampsLight(Scene scene) {
         scene.lights[0].type = LightType::Point;
         scene.lights[0].position = {0.4, 1.5, 0.3};

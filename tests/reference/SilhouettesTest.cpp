@@ -6,8 +6,8 @@
 namespace limpid {
 namespace {
 
-/// A floor with something on it, one receiver, under a lamp: its light leans outwards from how the map looks,
-/// by 0.15 at x = 0.5.
+/// A floor with something on it, one receiver, under a point light: its light leans outwards from how the map
+/// looks, by 0.15 at x = 0.5.
 class SilhouettesTest : public testing::Test {
   protected:
     static test::Traced traceWith(const Mesh* thing, const glm::dvec3& at) {
@@ -15,10 +15,10 @@ class SilhouettesTest : public testing::Test {
         if (thing) scenes::join(mesh, *thing, at);
         Scene scene;
         scene.receivers = {scenes::shape("floor", std::move(mesh), {0, -1, 0})};
-        Light lamp;
-        lamp.type = LightType::Point;
-        lamp.position = {0, 2, 0};
-        scene.lights = {lamp};
+        Light pointLight;
+        pointLight.type = LightType::Point;
+        pointLight.position = {0, 2, 0};
+        scene.lights = {pointLight};
         scene.caustics.mapSize = 128;
         return test::trace(scene, 1'000'000);
     }

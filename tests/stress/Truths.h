@@ -31,15 +31,15 @@ inline Scene floorScene(double degrees, Method method) {
     return scene;
 }
 
-/// The same with a ball, waves and a lamp.
+/// The same with a ball, waves and a point light.
 inline Scene richScene(Method method) {
     Scene scene = floorScene(30, method);
     scene.receivers.push_back(scenes::shape("ball", makeSphere(0.3, glm::vec3(0.8f)), {0.1, -0.5, 0.2}));
     scene.water.waves = {scenes::cosine(0.01, 0.5, {1, 0.4})};
-    Light lamp;
-    lamp.type = LightType::Point;
-    lamp.position = {0.5, 0.6, 0.2};
-    scene.lights.push_back(lamp);
+    Light pointLight;
+    pointLight.type = LightType::Point;
+    pointLight.position = {0.5, 0.6, 0.2};
+    scene.lights.push_back(pointLight);
     return scene;
 }
 
@@ -84,7 +84,7 @@ inline double movedScene(Engine& engine, Method method, double scale, const glm:
     const Scene scene = richScene(method);
     const Baked here = Bakes::of(engine, scene);
     Baked there = Bakes::of(engine, Bakes::moved(scene, scale, shift));
-    // A lamp's light thins out with the square of the distance; its intensity was made up for that.
+    // A point light's light thins out with the square of the distance; its intensity was made up for that.
     return Bakes::difference(there, here);
 }
 

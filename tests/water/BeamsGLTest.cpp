@@ -111,17 +111,18 @@ TEST_F(BeamsGLTest, wavesTakeNoMoreThanTheFlatPatch) {
     EXPECT_NEAR(trace(water, patchOf({2, 2}, {64, 64}), scenes::sunAt(0)).sum / flat, 1, 1e-4);
 }
 
-TEST_F(BeamsGLTest, aLampGivesItsSolidAngle) {
+TEST_F(BeamsGLTest, aPointLightGivesItsSolidAngle) {
     // IOR 1: nothing is reflected, so the sum is the patch's solid angle: 4 asin(a² / (a² + h²))... for a
-    // square of half side a under a lamp at height h: 4 asin(a² / (a² + h²)).
+    // square of half side a under a point light at height h: 4 asin(a² / (a² + h²)).
     Water water;
     water.ior = 1;
-    Light lamp;
-    lamp.type = LightType::Point;
+    Light pointLight;
+    pointLight.type = LightType::Point;
     for (const double height : {0.001, 0.1, 2.0}) {
-        lamp.position = {0.1, height, -0.2};
+        pointLight.position = {0.1, height, -0.2};
         const double expected = 4 * std::asin(1 / (1 + height * height));
-        EXPECT_NEAR(trace(water, patchOf({2, 2}, {64, 64}), lamp).sum, expected, 2e-4 * expected) << height;
+        EXPECT_NEAR(trace(water, patchOf({2, 2}, {64, 64}), pointLight).sum, expected, 2e-4 * expected)
+            << height;
     }
 }
 

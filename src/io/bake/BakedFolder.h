@@ -25,7 +25,7 @@ struct BakedMap {
     std::optional<double> standardError;
 };
 
-/// Where the light of one lamp went, W.
+/// Where what one light sends went, W.
 struct BakedFlux {
     double entering = 0, absorbed = 0, scattered = 0, deposited = 0, missed = 0, rejected = 0, residual = 0;
     std::optional<double> standardError; ///< of the residual, where rays at random were counted

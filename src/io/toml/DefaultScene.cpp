@@ -138,16 +138,16 @@ bool entersWater(const Light& light, double level) {
 
 toml::table lightTable(const Light& light, const std::string& name) {
     if (light.type == LightType::Point) {
-        toml::table lamp{{"name", name},
-                         {"type", "point"},
-                         {"position", array(light.position)},
-                         {"intensity", array(light.intensity)}};
-        if (!light.isSpot()) return lamp;
-        lamp.insert_or_assign("type", "spot");
-        lamp.insert("direction", array(light.direction));
-        lamp.insert("inner_cone", light.innerCone);
-        lamp.insert("outer_cone", light.outerCone);
-        return lamp;
+        toml::table pointLight{{"name", name},
+                               {"type", "point"},
+                               {"position", array(light.position)},
+                               {"intensity", array(light.intensity)}};
+        if (!light.isSpot()) return pointLight;
+        pointLight.insert_or_assign("type", "spot");
+        pointLight.insert("direction", array(light.direction));
+        pointLight.insert("inner_cone", light.innerCone);
+        pointLight.insert("outer_cone", light.outerCone);
+        return pointLight;
     }
     return toml::table{
         {"name", name}, {"direction", array(light.direction)}, {"irradiance", array(light.irradiance)}};

@@ -9,13 +9,13 @@
 
 namespace limpid {
 
-/// What a lamp under water sees first, in all directions (shaders/levelmap/lamp_shadow.glsl). R32F: metres
-/// from the lamp to the first receiver below the level, 1e30 for none.
-class LampShadowPass {
+/// What a point light under water sees first, in all directions (shaders/levelmap/point_light_shadow.glsl).
+/// R32F: metres from the point light to the first receiver below the level, 1e30 for none.
+class PointLightShadowPass {
   public:
-    explicit LampShadowPass(gl::Context& context);
+    explicit PointLightShadowPass(gl::Context& context);
 
-    /// `beams.frame` says where the lamp is.
+    /// `beams.frame` says where the point light is.
     void draw(gl::Texture& map, const Beams& beams, std::span<const ReceiverGeometry> receivers);
 
   private:

@@ -1,4 +1,4 @@
-#include "plan/LampPatch.h"
+#include "plan/PointLightPatch.h"
 
 #include <cmath>
 
@@ -11,17 +11,18 @@ namespace {
 
 const WaterPatch patch{{0.3, -0.2}, {4, 3}, {256, 100}, {}};
 
-TEST(LampPatch, nothingWhereTheGridIsFineEnough) {
+TEST(PointLightPatch, nothingWhereTheGridIsFineEnough) {
     // Quads are 0.03 m wide.
-    EXPECT_FALSE(lampPatch(scenes::lampAt({0, 0.25, 0}), {}, patch));
-    EXPECT_FALSE(lampPatch(Light{}, {}, patch));
-    EXPECT_FALSE(lampPatch(scenes::lampAt({0, -0.25, 0}), {}, patch)) << "a lamp under water has no beams";
+    EXPECT_FALSE(pointLightPatch(scenes::pointLightAt({0, 0.25, 0}), {}, patch));
+    EXPECT_FALSE(pointLightPatch(Light{}, {}, patch));
+    EXPECT_FALSE(pointLightPatch(scenes::pointLightAt({0, -0.25, 0}), {}, patch))
+        << "a lamp under water has no beams";
 }
 
-TEST(LampPatch, noQuadIsWiderThanTheLampSeesItTurn) {
+TEST(PointLightPatch, noQuadIsWiderThanThePointLightSeesItTurn) {
     for (const double height : {0.1, 0.01, 0.001})
         for (const glm::dvec2 foot : {glm::dvec2(0.003, 0.002), glm::dvec2(-3, 1)}) {
-            const auto fine = lampPatch(scenes::lampAt({foot.x, height, foot.y}), {}, patch);
+            const auto fine = pointLightPatch(scenes::pointLightAt({foot.x, height, foot.y}), {}, patch);
             if (!fine) {
                 // Its foot is far beside the patch.
                 EXPECT_EQ(foot.x, -3);
@@ -36,24 +37,24 @@ TEST(LampPatch, noQuadIsWiderThanTheLampSeesItTurn) {
                     const double low = lines[i - 1] + patch.min()[axis], high = lines[i] + patch.min()[axis];
                     const double aside = std::max({low - foot[axis], foot[axis] - high, 0.0});
                     EXPECT_LT(low, high);
-                    EXPECT_LE(high - low, lampTurn * std::hypot(height, aside) * (1 + 1e-9));
+                    EXPECT_LE(high - low, pointLightTurn * std::hypot(height, aside) * (1 + 1e-9));
                 }
             }
         }
 }
 
 // Halving leaves quads of more than half of what is allowed, so that a factor of ten in height takes no more
-// lines than 2 sides · 2 / lampTurn · ln 10, and those within lampTurn of the height.
-TEST(LampPatch, linesGoWithTheLogarithmOfTheHeight) {
-    int before = lampPatch(scenes::lampAt({0, 0.01, 0}), {}, patch)->grid.x;
+// lines than 2 sides · 2 / pointLightTurn · ln 10, and those within pointLightTurn of the height.
+TEST(PointLightPatch, linesGoWithTheLogarithmOfTheHeight) {
+    int before = pointLightPatch(scenes::pointLightAt({0, 0.01, 0}), {}, patch)->grid.x;
     for (const double height : {1e-3, 1e-4, 1e-5}) {
-        const int now = lampPatch(scenes::lampAt({0, height, 0}), {}, patch)->grid.x;
+        const int now = pointLightPatch(scenes::pointLightAt({0, height, 0}), {}, patch)->grid.x;
         EXPECT_GT(now, before);
-        EXPECT_LE(now - before, 4 / lampTurn * std::log(10) + 1);
+        EXPECT_LE(now - before, 4 / pointLightTurn * std::log(10) + 1);
         before = now;
     }
-    EXPECT_LE(lampPatch(scenes::lampAt({0, 1e-300, 0}), {}, patch)->grid.x,
-              256 + 4 / lampTurn * std::log(0x1p16));
+    EXPECT_LE(pointLightPatch(scenes::pointLightAt({0, 1e-300, 0}), {}, patch)->grid.x,
+              256 + 4 / pointLightTurn * std::log(0x1p16));
 }
 
 } // namespace

@@ -1,4 +1,4 @@
-#include "plan/LampPatch.h"
+#include "plan/PointLightPatch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,10 +9,10 @@ namespace limpid {
 
 namespace {
 
-/// A lamp that touches the water would take lines without end, and single precision none of them.
+/// A point light that touches the water would take lines without end, and single precision none of them.
 constexpr int mostHalvings = 16;
 
-/// Lines along one axis, on which the lamp is `at`; it is `above` the highest crest, m.
+/// Lines along one axis, on which the point light is `at`; it is `above` the highest crest, m.
 class Lines {
   public:
     Lines(double at, double above) : _at(at), _above(above) {}
@@ -20,7 +20,7 @@ class Lines {
     /// Adds the ends of the parts of a stretch but for its begin.
     void add(double low, double high, int halvings = mostHalvings) {
         const double aside = std::max({low - _at, _at - high, 0.0});
-        if (halvings == 0 || high - low <= lampTurn * std::hypot(_above, aside)) {
+        if (halvings == 0 || high - low <= pointLightTurn * std::hypot(_above, aside)) {
             found.push_back(high);
             return;
         }
@@ -37,7 +37,7 @@ class Lines {
 
 } // namespace
 
-std::optional<WaterPatch> lampPatch(const Light& light, const Water& water, const WaterPatch& patch) {
+std::optional<WaterPatch> pointLightPatch(const Light& light, const Water& water, const WaterPatch& patch) {
     if (light.type != LightType::Point || !entersWater(light, water)) return std::nullopt;
     const glm::dvec2 at = glm::dvec2(light.position.x, light.position.z) - patch.min();
     const double above = light.position.y - water.level - highestWave(water);

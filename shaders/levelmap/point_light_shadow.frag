@@ -1,4 +1,4 @@
-// Out, R32F, the smallest counts: metres from the lamp.
+// Out, R32F, the smallest counts: metres from the point light.
 #include "water/light.glsl"
 #include "levelmap/receiver_fragment.glsl"
 out float outDistance;

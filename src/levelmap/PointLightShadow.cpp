@@ -1,4 +1,4 @@
-#include "levelmap/LampShadow.h"
+#include "levelmap/PointLightShadow.h"
 
 #include "gl/Bindings.h"
 #include "gl/Blending.h"
@@ -9,14 +9,16 @@ namespace {
 constexpr int side = 1024; // texels of each view: 0.1°
 } // namespace
 
-LampShadowPass::LampShadowPass(gl::Context& context)
-    : _context(context),
-      _program({"levelmap/lamp_shadow.vert", "levelmap/face.geom", "levelmap/lamp_shadow.frag"}) {}
+PointLightShadowPass::PointLightShadowPass(gl::Context& context)
+    : _context(context), _program({"levelmap/point_light_shadow.vert", "levelmap/face.geom",
+                                   "levelmap/point_light_shadow.frag"}) {}
 
-void LampShadowPass::draw(gl::Texture& map, const Beams& beams, std::span<const ReceiverGeometry> receivers) {
-    if (!map.id()) map = gl::Texture(_context.ledger(), "lamp shadow map", GL_R32F, {3 * side, 2 * side});
+void PointLightShadowPass::draw(gl::Texture& map, const Beams& beams,
+                                std::span<const ReceiverGeometry> receivers) {
+    if (!map.id())
+        map = gl::Texture(_context.ledger(), "point light shadow map", GL_R32F, {3 * side, 2 * side});
     const gl::Texture* const targets[] = {&map};
-    const gl::Framebuffer framebuffer("lamp shadow map", targets);
+    const gl::Framebuffer framebuffer("point light shadow map", targets);
     framebuffer.bind();
     framebuffer.clearColor(glm::vec4(1e30f));
     beams.frame.bindUniform(lightFrameBlock);

@@ -1,4 +1,4 @@
-// Lamps under water: they light what is there directly, and what is there shades it.
+// Point lights under water: they light what is there directly, and what is there shades it.
 #include <cmath>
 
 #include "core/Optics.h"
@@ -10,17 +10,17 @@ namespace {
 constexpr double pi = 3.14159265358979;
 const glm::ivec2 size(120, 80);
 
-class LampTest : public PictureFixture {
+class PointLightTest : public PictureFixture {
   protected:
-    /// A floor 2 m down and a lamp 1 m above it, in black water, seen by a camera in it.
-    static Scene lampOverFloor() {
+    /// A floor 2 m down and a point light 1 m above it, in black water, seen by a camera in it.
+    static Scene pointLightOverFloor() {
         Scene scene;
         scene.receivers = {scenes::floorAt(-2, 8)};
-        Light lamp;
-        lamp.type = LightType::Point;
-        lamp.position = {0.2, -1, -0.1};
-        lamp.intensity = {3, 2, 1};
-        scene.lights = {lamp};
+        Light pointLight;
+        pointLight.type = LightType::Point;
+        pointLight.position = {0.2, -1, -0.1};
+        pointLight.intensity = {3, 2, 1};
+        scene.lights = {pointLight};
         scene.ambientRadiance = scene.skyRadiance = glm::dvec3(0);
         scene.water.absorption = {0.4, 0.2, 0.1};
         scene.water.grid = {8, 8};
@@ -36,21 +36,22 @@ class LampTest : public PictureFixture {
     }
     /// albedo / π · I cosθ / r² e^{-K r}, and again through the water to the camera.
     static glm::dvec3 radianceOf(const Scene& scene, const glm::dvec3& point) {
-        const Light& lamp = scene.lights[0];
-        const glm::dvec3 way = point - lamp.position;
+        const Light& pointLight = scene.lights[0];
+        const glm::dvec3 way = point - pointLight.position;
         const double r = glm::length(way);
         const double seen = glm::distance(point, *scene.camera.position);
-        const double share = lamp.isSpot() ? optics::coneShare(glm::dot(way / r, lamp.direction),
-                                                               std::cos(glm::radians(lamp.innerCone)),
-                                                               std::cos(glm::radians(lamp.outerCone)))
-                                           : 1;
-        return 0.8 / pi * lamp.intensity * share * (-way.y / r) / (r * r) *
+        const double share = pointLight.isSpot()
+                                 ? optics::coneShare(glm::dot(way / r, pointLight.direction),
+                                                     std::cos(glm::radians(pointLight.innerCone)),
+                                                     std::cos(glm::radians(pointLight.outerCone)))
+                                 : 1;
+        return 0.8 / pi * pointLight.intensity * share * (-way.y / r) / (r * r) *
                optics::extinction(scene.water.absorption, r + seen);
     }
 };
 
-TEST_F(LampTest, theFloorHasItsIrradianceByTheInverseSquareAndTheWater) {
-    const Scene scene = lampOverFloor();
+TEST_F(PointLightTest, theFloorHasItsIrradianceByTheInverseSquareAndTheWater) {
+    const Scene scene = pointLightOverFloor();
     const Picture picture = render(scene, size);
     for (int y = 2; y < size.y; y += 11)
         for (int x = 2; x < size.x; x += 13) {
@@ -61,8 +62,8 @@ TEST_F(LampTest, theFloorHasItsIrradianceByTheInverseSquareAndTheWater) {
         }
 }
 
-TEST_F(LampTest, aSpotUnderWaterHasItsCone) {
-    Scene scene = lampOverFloor();
+TEST_F(PointLightTest, aSpotUnderWaterHasItsCone) {
+    Scene scene = pointLightOverFloor();
     scene.lights[0].direction = {0, -1, 0};
     scene.lights[0].innerCone = 10;
     scene.lights[0].outerCone = 40;
@@ -80,8 +81,8 @@ TEST_F(LampTest, aSpotUnderWaterHasItsCone) {
     EXPECT_GT(dark, 50);
 }
 
-TEST_F(LampTest, aSphereShadesTheFloorWithinItsCone) {
-    Scene scene = lampOverFloor();
+TEST_F(PointLightTest, aSphereShadesTheFloorWithinItsCone) {
+    Scene scene = pointLightOverFloor();
     const glm::dvec3 center(0.35, -1.5, -0.2);
     const double radius = 0.15;
     scene.receivers.push_back(scenes::shape("ball", makeSphere(radius, glm::vec3(0.8f)), center));
@@ -108,9 +109,9 @@ TEST_F(LampTest, aSphereShadesTheFloorWithinItsCone) {
     EXPECT_GT(lit, 5000);
 }
 
-TEST_F(LampTest, aBakeDrawsNoLampShadow) {
+TEST_F(PointLightTest, aBakeDrawsNoPointLightShadow) {
     Engine engine(context());
-    bake(engine, lampOverFloor());
+    bake(engine, pointLightOverFloor());
     EXPECT_EQ(context().ledger().bytes("lamp shadow map"), 0);
     engine.render(0, {16, 12});
     EXPECT_GT(context().ledger().bytes("lamp shadow map"), 0);
