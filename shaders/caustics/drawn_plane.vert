@@ -4,11 +4,12 @@
 layout(location = footprintAttribute) in vec4 footprint;      // texels; texels per metre (footprints.comp)
 layout(location = originDepthAttribute) in float originDepth; // m
 layout(location = planeDepthLocation) uniform float planeDepth;     // m
+invariant gl_Position; // two programs draw with it, and must meet the same texels
 out vec2 slope;                            // sideways per metre of depth
 out float startDepth;                      // m
 
 void main() {
-    vec2 texel = footprint.xy + planeDepth * footprint.zw;
+    precise vec2 texel = footprint.xy + planeDepth * footprint.zw;
     slope = footprint.zw * boxExtent.w;
     startDepth = originDepth;
     gl_Position = vec4(2.0 * texel / vec2(boxSize.xy) - 1.0, 0.0, 1.0);

@@ -7,7 +7,8 @@ vec4 rayFootprint(vec3 origin, vec3 direction) {
     // A ray that runs nearly across the box or backwards does not meet its planes in any useful place; the slope
     // marks it, and beams with such an edge carry nothing.
     vec2 slope = direction.z > 0.02 ? direction.xy / direction.z : vec2(1e6);
-    vec2 at = origin.xy - slope * origin.z;
+    // The same bits in every program: a pass over all tiles and one over those kept find the same texels.
+    precise vec2 at = origin.xy - slope * origin.z;
     return vec4(at, slope) / boxExtent.w;
 }
 

@@ -57,7 +57,7 @@ void draw(Faces faces) {
     if (any(greaterThanEqual(faces.low, faces.high))) return;
     float bits = 1.0;
     for (int k = 0; k < 4; ++k)
-        bits += faces.before[k] ? float(1 << k) : 0.0;
+        bits += faces.before[k] != 0 ? float(1 << k) : 0.0;
     for (int i = 0; i < 4; ++i) {
         vec2 place = mix(faces.low, faces.high, vec2(i & 1, i >> 1));
         vec3 way = vec3(place, 1.0);

@@ -25,7 +25,7 @@ struct Fan {
 // what is drawn between them.
 struct Faces {
     vec3 planes[4];    // times (x, y, 1) of the screen: 1 / w where the view ray passes the face's plane
-    bool before[4];    // whether the ray enters there; it leaves by the others
+    int before[4];     // 1 where the ray enters; it leaves by the others (no bool: zink hands on none)
     vec3 slopes[2];    // times the same and w, added to
     vec2 light;        // what light would be at the camera: light
     vec2 low, high;    // what it may cover of the screen
@@ -133,7 +133,7 @@ Faces facesOf(Tetrahedron t, float near) {
         faces.light -= offset / height * own.light;
         faces.slopes[0] += own.light.x / height * normal;
         faces.slopes[1] += own.light.y / height * normal;
-        faces.before[k] = offset / height > 0.0f;
+        faces.before[k] = offset / height > 0.0f ? 1 : 0;
         float least = 1e-9f * dot(abs(normal), abs(a));
         faces.planes[k] = normal / (abs(offset) > least ? offset : offset < 0.0f ? -least : least);
     }

@@ -193,7 +193,8 @@ TEST_F(TetrahedronTest, isTheSameByItsFacesNextToTheCamera) {
         if (!shader::isClose(t)) continue;
         const shader::Faces faces = shader::facesOf(t, near);
         beside += faces.low.x > faces.high.x || faces.low.y > faces.high.y;
-        const glm::bvec4 before(faces.before[0], faces.before[1], faces.before[2], faces.before[3]);
+        const glm::bvec4 before(
+            glm::ivec4(faces.before[0], faces.before[1], faces.before[2], faces.before[3]));
         around += !glm::any(before);
         for (int k = 0; k < 40; ++k) {
             const glm::dvec2 at(within(-1, 1), within(-1, 1));
