@@ -46,6 +46,9 @@ class Reversed {
     test::TempFolder _folder;
 };
 
+/// Those whose passes of their own are compute programs; most of this test's time compiles them.
+constexpr Method methods[] = {Method::LevelMap, Method::ExactBeam, Method::PhotonSplat};
+
 class OrderGLTest : public EngineGLTest {
   protected:
     /// A ball over a floor, some of its beams wide and some narrow, some shaded.
@@ -65,13 +68,13 @@ class OrderGLTest : public EngineGLTest {
 
 TEST_F(OrderGLTest, ofWorkGroupsAndLanesChangesNoBitOfAnyMap) {
     std::vector<Baked> first;
-    for (const Method method : allMethods())
+    for (const Method method : methods)
         first.push_back(bake(scene(method)));
     const Reversed order;
     Engine reversed(context());
     for (std::size_t i = 0; i < first.size(); ++i) {
-        SCOPED_TRACE(methodName(allMethods()[i]));
-        const Baked second = bake(reversed, scene(allMethods()[i]));
+        SCOPED_TRACE(methodName(methods[i]));
+        const Baked second = bake(reversed, scene(methods[i]));
         ASSERT_EQ(first[i].maps.size(), second.maps.size());
         for (std::size_t m = 0; m < second.maps.size(); ++m) {
             EXPECT_EQ(first[i].maps[m].irradiance, second.maps[m].irradiance);
