@@ -4,9 +4,8 @@
 void deposit(ivec2 texel, vec3 amount) {
     int index = texel.y * boxSize.x + texel.x;
 #ifdef COLOURED
-    addFlux(3 * index, amount.r);
-    addFlux(3 * index + 1, amount.g);
-    addFlux(3 * index + 2, amount.b);
+    for (int channel = 0; channel < 3; ++channel)
+        if (amount[channel] > 0.0) addFlux(3 * index + channel, amount[channel]);
 #else
     if (amount.r > 0.0) addFlux(index, amount.r);
 #endif

@@ -7,7 +7,7 @@ layout(std430, binding = fluxSumsBuffer) buffer FluxSums { uint sums[]; };
 void addFlux(int index, float amount) {
     // A beam that a lens throws on one texel may alone be more than a word.
     float upper = amount >= 4294967040.0 ? floor(amount * (1.0 / 4294967296.0)) : 0.0;
-    uint low = uint(amount - upper * 4294967296.0 + 0.5);
+    uint low = uint(max(amount - upper * 4294967296.0 + 0.5, 0.0)); // of what is below 0, uint() may be anything
     uint before = atomicAdd(sums[2 * index], low);
     uint carry = uint(upper) + (before + low < before ? 1u : 0u);
     if (carry > 0u) atomicAdd(sums[2 * index + 1], carry);

@@ -56,6 +56,8 @@ void BeamFootprints::updateRays(const Beams& beams, const WaterMesh& surface, co
 }
 
 void BeamFootprints::update(const Beams& beams, const WaterMesh& surface, const LevelMap& map) {
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT |
+                    GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT); // draws of the map before
     updateRays(beams, surface, map);
     surface.indices.bindStorage(indicesBuffer);
     beams.flux.bindStorage(beamFluxBuffer);

@@ -141,7 +141,8 @@ void ExactBeams::deposit(const Inputs& inputs) {
     byTexel(use(Pass::Listed, false), gpu::plain);
     if (mayBeShaded) byTexel(use(Pass::Listed, true), gpu::wide);
     _largeBeams.dispatch(use(Pass::Tiles, mayBeShaded));
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT |
+                    GL_BUFFER_UPDATE_BARRIER_BIT); // the next map empties the lists
 }
 
 void ExactBeams::resolve(CausticMap& caustics, const Inputs& inputs) {

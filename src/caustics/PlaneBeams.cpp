@@ -85,7 +85,7 @@ void PlaneBeams::depositBetween(const Inputs& inputs, const glm::vec2& depths) {
             _largeBeams.dispatch(program);
         else
             BeamCulling::dispatch(program, inputs.culling, inputs.surface.quads);
-        glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+        glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
     }
 }
 

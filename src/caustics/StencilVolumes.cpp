@@ -45,7 +45,7 @@ void StencilVolumes::findSubVolumes(const LevelMap& map, const Beams& beams, con
     _draw.bindStorage(drawCommandBuffer);
     _find.set(beamCountLocation, beams.triangleCount);
     _find.dispatch(beams.triangleCount, groupSize);
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
 }
 
 /// Step 1: their depths alone.

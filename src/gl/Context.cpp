@@ -5,6 +5,7 @@
 
 #include "core/Error.h"
 #include "gl/Api.h"
+#include "gl/Bindings.h"
 #include "gl/CurrentContext.h"
 
 namespace limpid::gl {
@@ -73,7 +74,8 @@ std::vector<int> candidates(const std::vector<DeviceDescription>& devices, const
     return order;
 }
 
-EGLContext createContext(EGLDisplay display, bool debug) {
+/// `robust`: requireContext is to be told of a reset.
+EGLContext createContext(EGLDisplay display, bool debug, bool robust) {
     if (!eglBindAPI(EGL_OPENGL_API)) return EGL_NO_CONTEXT;
     if (!epoxy_has_egl_extension(display, "EGL_KHR_surfaceless_context")) return EGL_NO_CONTEXT;
     const EGLint configAttributes[] = {EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_SURFACE_TYPE, 0, EGL_NONE};
@@ -85,8 +87,7 @@ EGLContext createContext(EGLDisplay display, bool debug) {
                                       EGL_CONTEXT_MINOR_VERSION,       5,
                                       EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
                                       EGL_CONTEXT_OPENGL_DEBUG,        debug ? EGL_TRUE : EGL_FALSE};
-    // So that requireContext is told of a reset.
-    if (epoxy_has_egl_extension(display, "EGL_EXT_create_context_robustness"))
+    if (robust)
         attributes.insert(attributes.end(),
                           {EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY, EGL_LOSE_CONTEXT_ON_RESET});
     attributes.push_back(EGL_NONE);
@@ -96,7 +97,10 @@ EGLContext createContext(EGLDisplay display, bool debug) {
 bool open(EGLDisplay display, bool debug, EGLDisplay& openedDisplay, EGLContext& openedContext) {
     EGLint major = 0, minor = 0;
     if (display == EGL_NO_DISPLAY || !eglInitialize(display, &major, &minor)) return false;
-    const EGLContext context = createContext(display, debug);
+    EGLContext context = EGL_NO_CONTEXT;
+    if (epoxy_has_egl_extension(display, "EGL_EXT_create_context_robustness"))
+        context = createContext(display, debug, true);
+    if (context == EGL_NO_CONTEXT) context = createContext(display, debug, false); // some name it and refuse
     if (context != EGL_NO_CONTEXT && eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) {
         openedDisplay = display;
         openedContext = context;
@@ -124,6 +128,28 @@ std::string glString(GLenum name) {
     return text ? text : "";
 }
 
+/// What the shaders ask of a driver beyond what OpenGL 4.5 guarantees.
+void requireLimits(const DeviceInfo& info) {
+    struct Limit {
+        GLenum name;
+        int least;
+        const char* what;
+    };
+    constexpr Limit limits[] = {
+        {GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS, bufferBindings, "bindings of storage buffers"},
+        {GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS, computeBuffers, "storage buffers in a compute shader"},
+        {GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS, fragmentBuffers, "storage buffers in a fragment shader"},
+        {GL_MAX_VERTEX_SHADER_STORAGE_BLOCKS, vertexBuffers, "storage buffers in a vertex shader"},
+        {GL_MAX_GEOMETRY_SHADER_STORAGE_BLOCKS, geometryBuffers, "storage buffers in a geometry shader"}};
+    for (const Limit& limit : limits) {
+        GLint found = 0;
+        glGetIntegerv(limit.name, &found);
+        if (found < limit.least)
+            throw GraphicsError(fmt::format("OpenGL: expected at least {} {}, found {} by {}", limit.least,
+                                            limit.what, found, info.renderer));
+    }
+}
+
 DeviceInfo queryInfo(EGLDisplay display, const std::string& platform) {
     DeviceInfo info;
     info.vendor = glString(GL_VENDOR);
@@ -144,6 +170,16 @@ DeviceInfo queryInfo(EGLDisplay display, const std::string& platform) {
 }
 
 } // namespace
+
+std::string softwareWord(std::span<const DeviceDescription> devices, std::string_view platform) {
+    if (platform != "surfaceless" && !platform.ends_with("(software)")) return {};
+    std::vector<DeviceDescription> hardware;
+    std::copy_if(devices.begin(), devices.end(), std::back_inserter(hardware),
+                 [](const DeviceDescription& device) { return !device.software; });
+    if (hardware.empty()) return {};
+    return fmt::format("OpenGL: expected to open {}, found no OpenGL 4.5 there: in software from here on",
+                       listOf(hardware));
+}
 
 std::vector<DeviceDescription> Context::devices() {
     std::vector<DeviceDescription> described;
@@ -176,6 +212,9 @@ Context::Context(const ContextOptions& options)
         throw GraphicsError(fmt::format("EGL: expected a device with OpenGL 4.5 core, found {} without it",
                                         listOf(described)));
     glDisable(GL_DITHER); // the same bits with every driver
+    if (const std::string word = softwareWord(described, _egl->platform);
+        !word.empty() && options.device.empty())
+        _onMessage ? _onMessage(word) : fmt::print(stderr, "{}\n", word);
     listenAndQuery(options, _egl->platform);
 }
 
@@ -197,6 +236,7 @@ void Context::listenAndQuery(const ContextOptions& options, const std::string& p
         glDebugMessageCallback(onDebugMessage, &_onMessage);
     }
     _info = queryInfo(eglGetCurrentDisplay(), platform);
+    requireLimits(_info);
 }
 
 Context::~Context() = default;

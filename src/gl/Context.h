@@ -1,7 +1,9 @@
 #pragma once
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "gl/Ledger.h"
@@ -35,9 +37,14 @@ struct DeviceInfo {
     std::int64_t maxStorageBlockBytes = 0;
 };
 
+/// A line for who waits for a GPU and gets none: hardware is among `devices`, but `platform`, as DeviceInfo
+/// has it, is software. Empty where there is no such thing to say.
+std::string softwareWord(std::span<const DeviceDescription> devices, std::string_view platform);
+
 /// An OpenGL 4.5 core context, by default without window or display, current on the thread that made it.
 /// First choice is EGL's device platform, then the surfaceless one.
-/// Throws GraphicsError when there is no EGL, no such device or no OpenGL 4.5.
+/// Throws GraphicsError when there is no EGL, no such device, no OpenGL 4.5, or fewer storage buffers than
+/// the shaders have (gl/Bindings.h).
 ///
 /// In a context of its own every pass leaves OpenGL's state as it found it, a fresh one. In a host's, Guard
 /// (gl/Guard.h) stands between the two.

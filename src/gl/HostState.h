@@ -4,6 +4,7 @@
 #include <glm/glm.hpp>
 
 #include "gl/Api.h"
+#include "gl/Bindings.h"
 
 namespace limpid::gl {
 
@@ -18,7 +19,8 @@ class HostState {
     HostState(const HostState&) = delete;
     HostState& operator=(const HostState&) = delete;
 
-    static constexpr int textureUnits = 16, imageUnits = 3, storageBindings = 16, uniformBindings = 3;
+    static constexpr int textureUnits = 16, imageUnits = 3, storageBindings = bufferBindings,
+                         uniformBindings = 3;
 
   private:
     static constexpr int capabilities = 34, blendedBuffers = 2, drawBuffers = 4,

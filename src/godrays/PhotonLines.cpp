@@ -27,6 +27,7 @@ void PhotonLines::castLines(const GodrayInputs& inputs, const GodraySource& sour
     const GodraySettings& settings = inputs.scene.godrays;
     const std::int64_t bytes = std::int64_t(lineCount(settings)) * 2 * std::int64_t(sizeof(glm::vec4));
     if (_ends.bytes() != bytes) _ends = gl::Buffer(_context.ledger(), "photon lines", bytes);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT); // the draw of the light before
     bindPhotons(_cast, inputs, source);
     _ends.bindStorage(photonLinesBuffer);
     _cast.set(reachLocation, float(godrayReach(inputs, source, mostExtinction)));

@@ -54,6 +54,7 @@ void Tetrahedra::sweep(const GodrayInputs& inputs, const GodraySource& source) {
                                    std::int64_t(sizeof(gpu::VolumeStarts)) + volumes * 4);
     }
     bindPhotons(_sweep, inputs, source);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT); // the draw of the light before
     _rays.bindStorage(volumeRaysBuffer);
     _flux.bindStorage(volumeFluxBuffer);
     _sweep.set(reachLocation, float(godrayReach(inputs, source, mostExtinction)));

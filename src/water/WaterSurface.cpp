@@ -63,6 +63,8 @@ void WaterSurface::update(const Water& water, const WaterPatch& patch, const glm
         _heightMaps.bind(water, origin, time); // may run passes of its own
     const auto terms = waveTerms(water, origin, time);
     const gl::Buffer waves(_context.ledger(), "waves", std::span<const gpu::WaveTerm>(terms));
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT |
+                    GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT); // draws of the last picture
     waves.bindStorage(wavesBuffer);
     _mesh.positions.bindStorage(positionsBuffer);
     _mesh.normals.bindStorage(normalsBuffer);

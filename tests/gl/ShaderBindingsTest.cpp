@@ -5,11 +5,14 @@
 #include <fstream>
 #include <map>
 #include <regex>
+#include <set>
 #include <sstream>
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include "gl/Bindings.h"
+#include "gl/Context.h"
 #include "gl/ShaderLibrary.h"
 
 namespace limpid::gl {
@@ -77,6 +80,41 @@ TEST(ShaderBindings, leaveNoStageTwoThingsAtOnePlace) {
             EXPECT_EQ(place->second, name) << shader.name;
         }
     }
+}
+
+// What the context asks of a driver (gl/Context.cpp).
+TEST(ShaderBindings, areAsManyBuffersAStageAsIsAskedFor) {
+    const std::map<std::string, int> asked = {{"comp", computeBuffers},
+                                              {"frag", fragmentBuffers},
+                                              {"vert", vertexBuffers},
+                                              {"geom", geometryBuffers}};
+    std::map<std::string, int> most;
+    const std::regex buffer(R"((?:binding = |STORAGE_BLOCK\(\w+, )(\w+Buffer)\))");
+    for (const EmbeddedShader& shader : embeddedShaders()) {
+        if (shader.name.ends_with(".glsl") || shader.name.starts_with("..")) continue;
+        const std::string text = resolveShader(shader.name).text;
+        const std::set<std::string> names(std::sregex_token_iterator(text.begin(), text.end(), buffer, 1),
+                                          {});
+        int& so = most[std::string(shader.name.substr(shader.name.rfind('.') + 1))];
+        so = std::max(so, int(names.size()));
+    }
+    for (const auto& [stage, count] : most)
+        EXPECT_EQ(count, asked.contains(stage) ? asked.at(stage) : 0) << stage;
+    for (const auto& [name, number] : numbers())
+        if (kindOf(name) == "Buffer") {
+            EXPECT_LT(number, bufferBindings) << name;
+        }
+}
+
+TEST(Devices, softwareWhereHardwareIsFoundIsToldOnce) {
+    const DeviceDescription card{0, "/dev/dri/card0", false}, software{1, "software", true};
+    const std::vector<DeviceDescription> both = {card, software}, alone = {software};
+    EXPECT_EQ(
+        softwareWord(both, "device 1 (software)"),
+        "OpenGL: expected to open 0 (/dev/dri/card0), found no OpenGL 4.5 there: in software from here on");
+    EXPECT_FALSE(softwareWord(both, "surfaceless").empty());
+    EXPECT_EQ(softwareWord(both, "device 0 (/dev/dri/card0)"), "");
+    EXPECT_EQ(softwareWord(alone, "device 1 (software)"), "");
 }
 
 TEST(ShaderBindings, giveEachUniformNumbersOfItsOwn) {
