@@ -222,7 +222,7 @@ void Lights::drawPointLightShadow(const Frame& frame, int light) {
     if (!_pointLightShadow) _pointLightShadow = std::make_unique<PointLightShadowPass>(frame.context);
     work.pointLightSurrounds.bring(
         frame.making, {asBeamsRead(frame.planOf(light).frame), frame.receivers.stamps()}, [&] {
-            Scope scope(frame.timers, "point light shadow");
+            Scope scope(frame.timers, "lamp shadow");
             _pointLightShadow->draw(work.pointLightShadow, work.beams, frame.receivers.all());
         });
     work.beams.pointLightShadow = &work.pointLightShadow;

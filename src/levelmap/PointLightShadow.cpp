@@ -16,9 +16,9 @@ PointLightShadowPass::PointLightShadowPass(gl::Context& context)
 void PointLightShadowPass::draw(gl::Texture& map, const Beams& beams,
                                 std::span<const ReceiverGeometry> receivers) {
     if (!map.id())
-        map = gl::Texture(_context.ledger(), "point light shadow map", GL_R32F, {3 * side, 2 * side});
+        map = gl::Texture(_context.ledger(), "lamp shadow map", GL_R32F, {3 * side, 2 * side});
     const gl::Texture* const targets[] = {&map};
-    const gl::Framebuffer framebuffer("point light shadow map", targets);
+    const gl::Framebuffer framebuffer("lamp shadow map", targets);
     framebuffer.bind();
     framebuffer.clearColor(glm::vec4(1e30f));
     beams.frame.bindUniform(lightFrameBlock);
