@@ -15,7 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* drawing = R"re("([^"]+\.(?:vert|tesc|tese|geom|frag))")re";
+// Of a path's letters alone: std::regex takes a frame of the stack for each letter that it tries.
+constexpr const char* drawing = R"re("([\w./]+\.(?:vert|tesc|tese|geom|frag))")re";
 
 /// Text of all C++ sources of the library and its programs.
 std::string sources() {
@@ -29,7 +30,7 @@ std::string sources() {
 /// with every fragment shader that the sources name outside of lists.
 std::set<Names> drawingPrograms() {
     const std::string text = sources();
-    const std::regex list(R"re(\{\s*"[^"]+\.vert"[^{}]*\})re");
+    const std::regex list(R"re(\{\s*"[\w./]+\.vert"[^{}]*\})re");
     const std::string others = std::regex_replace(text, list, "");
     std::set<Names> programs;
     for (std::sregex_iterator at(text.begin(), text.end(), list), end; at != end; ++at) {
@@ -38,7 +39,7 @@ std::set<Names> drawingPrograms() {
             programs.emplace(named.begin(), named.end());
             continue;
         }
-        for (const std::string& fragment : found(others, R"re("([^"]+\.frag)")re")) {
+        for (const std::string& fragment : found(others, R"re("([\w./]+\.frag)")re")) {
             Names files(named.begin(), named.end());
             files.push_back(fragment);
             programs.insert(files);
