@@ -118,7 +118,7 @@ bool leaveSlab(int index, int number, Slab slab) { return leaveToMany(index, num
 bool findSlab(Quad quad, int number, out Slab slab) {
     vec2 depths;
     if (!settle(quad, slab, depths)) return false;
-    return number == settled || slabAlong(quad, depths, number, 1, slabsAlong(quad, depths.y - depths.x), slab);
+    return number == settled || slabOf(quad, depths, number, slab);
 }
 
 void main() { walkTiles(); }
@@ -134,6 +134,6 @@ void main() {
     if (texelsOf(slab) <= mostTexels || depths.x == depths.y)
         walkSlab(quad, slab, index, settled);
     else
-        walkSlabs(quad, index, depths, slabsAlong(quad, depths.y - depths.x));
+        walkSlabs(quad, index, depths);
 }
 #endif

@@ -9,7 +9,8 @@ void visit(Quad quad, int index, Slab slab, ivec2 texel, float depth);
 float depthOf(ivec2 texel);
 // Whether a slab of many texels is left to a later pass; `number` says which slab of the quad it is.
 bool leaveSlab(int index, int number, Slab slab);
-// Of a quad that is not walked at once: `run` slabs from `index` of `count`; false if the quad meets nothing there.
+// Of a quad that is not walked at once: `run` slabs from `index` of `count` between two depths; false if the quad meets
+// nothing there.
 bool slabAlong(Quad quad, vec2 depths, int index, int run, int count, out Slab slab);
 
 // Texels of a slab that one invocation walks. Shade may ask for hundreds of triangles at each of them.
@@ -37,8 +38,8 @@ void walkSlab(Quad quad, Slab slab, int index, int number) {
     }
 }
 
-void walkSlabs(Quad quad, int index, vec2 depths, int count) {
-    int run = count;
+void walkSlabs(Quad quad, int index, vec2 depths) {
+    int count = slabsAlong(quad, depths.y - depths.x), run = count;
     for (int i = 0; i < count;) {
         Slab slab;
         bool met = slabAlong(quad, depths, i, run, count, slab);
@@ -53,6 +54,11 @@ void walkSlabs(Quad quad, int index, vec2 depths, int count) {
 }
 
 #ifdef LARGE
+// The slab of this number, as walkSlabs has them.
+bool slabOf(Quad quad, vec2 depths, int number, out Slab slab) {
+    return slabAlong(quad, depths, number, 1, slabsAlong(quad, depths.y - depths.x), slab);
+}
+
 // The slab that a tile was cut from.
 bool findSlab(Quad quad, int number, out Slab slab);
 

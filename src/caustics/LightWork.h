@@ -31,10 +31,10 @@ struct LightWork {
     Beams beams;
     std::unique_ptr<PointLightWater> pointLightWater; ///< empty where the water's own quads are fine enough
     SceneDepth sceneDepth;
-    gl::Texture surfaceShadow;   ///< empty if nothing stands out of the water
+    gl::Texture surfaceShadow;    ///< empty if nothing stands out of the water
     gl::Texture pointLightShadow; ///< empty unless a point light is under water and a picture shows it
-    BeamTiles tiles;             ///< where beams are culled many at a time
-    std::vector<DiscPoint> disc; ///< besides its middle, whose beams are `beams`; empty for a point far away
+    BeamTiles tiles;              ///< where beams are culled many at a time
+    std::vector<DiscPoint> disc;  ///< besides its middle, whose beams are `beams`; empty for a point far away
 
     /// The beams that fill maps; pictures and godrays take `beams`.
     const Beams& mapBeams() const { return pointLightWater ? pointLightWater->beams : beams; }

@@ -3,7 +3,7 @@
 
 #include <glm/glm.hpp>
 
-/// What C++ and shaders hand each other, from the same lines (shaders/interface): structs as they lie in
+/// Data that C++ and shaders hand each other, from the same lines (shaders/interface): structs as they lie in
 /// blocks of uniforms and of storage; of a block that ends in an array without end, what comes before it.
 namespace limpid::gpu {
 

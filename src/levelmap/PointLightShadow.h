@@ -9,7 +9,7 @@
 
 namespace limpid {
 
-/// What a point light under water sees first, in all directions (shaders/levelmap/point_light_shadow.glsl).
+/// First hits of a point light under water, in all directions (shaders/levelmap/point_light_shadow.glsl).
 /// R32F: metres from the point light to the first receiver below the level, 1e30 for none.
 class PointLightShadowPass {
   public:

@@ -16,7 +16,7 @@
 /// RGB.
 namespace limpid {
 
-/// What one light brings to one receiver, as textures that the host samples (limpid_caustics.glsl). They
+/// Light of one source on one receiver, as textures that the host samples (limpid_caustics.glsl). They
 /// belong to Caustics; their names hold until its next set(), update() or
 /// render(). Row 0 is the top: u right, v down.
 struct LitMap {

@@ -10,11 +10,11 @@
 /// made from. All positions relative to the same origin, m.
 namespace limpid {
 
-/// Whether any light enters the water from above: a sun over the horizon, a point light over the highest
+/// True for a light that enters the water from above: a sun over the horizon, a point light over the highest
 /// crest whose cone, if it has one, reaches below the horizon.
 bool entersWater(const Light& light, const Water& water);
 
-/// Whether a light is a point light below the level: it lights directly and makes no caustic.
+/// True for a point light below the level: it lights directly and makes no caustic.
 bool isSubmerged(const Light& light, const Water& water);
 
 /// Where the light that reaches `point` (below the level) under flat water crosses the surface.

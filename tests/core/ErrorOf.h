@@ -5,7 +5,7 @@
 
 namespace limpid::test {
 
-/// What a call says of its input, or "no error".
+/// The error that a call throws about its input, or "no error".
 template <typename Call>
 std::string errorOf(const Call& call) {
     try {

@@ -6,8 +6,6 @@
 
 namespace limpid::viewer {
 
-namespace {}
-
 Display::Display(gl::Context& context)
     : _context(context), _program({"gl/screen.vert", "viewer/show.frag"}) {}
 
