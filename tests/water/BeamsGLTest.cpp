@@ -114,6 +114,7 @@ TEST_F(BeamsGLTest, wavesTakeNoMoreThanTheFlatPatch) {
 TEST_F(BeamsGLTest, aPointLightGivesItsSolidAngle) {
     // IOR 1: nothing is reflected, so the sum is the patch's solid angle: 4 asin(a² / (a² + h²))... for a
     // square of half side a under a point light at height h: 4 asin(a² / (a² + h²)).
+    // Drivers are not asked for small angles: one has them 2e-5 low.
     Water water;
     water.ior = 1;
     Light pointLight;
@@ -121,7 +122,7 @@ TEST_F(BeamsGLTest, aPointLightGivesItsSolidAngle) {
     for (const double height : {0.001, 0.1, 2.0}) {
         pointLight.position = {0.1, height, -0.2};
         const double expected = 4 * std::asin(1 / (1 + height * height));
-        EXPECT_NEAR(trace(water, patchOf({2, 2}, {64, 64}), pointLight).sum, expected, 2e-4 * expected)
+        EXPECT_NEAR(trace(water, patchOf({2, 2}, {64, 64}), pointLight).sum, expected, 3e-6 * expected)
             << height;
     }
 }
