@@ -12,7 +12,8 @@ layout(std430, binding = spectrumLinesBuffer) buffer Lines { vec2 lines[]; };  /
 layout(r32f, binding = tileImage) uniform writeonly image2D tile;
 layout(location = sideLocation) uniform int side;     // modes
 layout(location = texelsLocation) uniform int texels; // of the tile's side, a power of two, at most 4096
-layout(location = timeLocation) uniform double time;  // s
+layout(location = timeLocation) uniform uvec2 time;   // s from time 0, either way: low and high word, in steps of 2^-32
+layout(location = backLocation) uniform int back; // whether it is before time 0
 
 const float tau = 6.28318530717958648;
 shared vec2 line[4096];
@@ -20,13 +21,26 @@ shared vec2 line[4096];
 vec2 product(vec2 a, vec2 b) { return vec2(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x); }
 
 #ifdef WITH_TIME
+// Of the turns since time 0, what is more than whole ones. In whole numbers, which lose nothing after days, and which every GPU
+// has at full speed: the product has 80 places behind the point, of which 32 are kept.
+float turned(uvec2 frequency) {
+    uint low, high, a, b, c, d, carry, more;
+    umulExtended(frequency.x, time.x, high, low);
+    umulExtended(frequency.x, time.y, b, a);
+    umulExtended(frequency.y, time.x, d, c);
+    uint word = uaddCarry(high, a, carry);
+    word = uaddCarry(word, c, more);
+    uint above = b + d + frequency.y * time.y + carry + more;
+    uint turn = above << 16 | word >> 16;
+    return float(back != 0 ? 0u - turn : turn) / 4294967296.0;
+}
+
 // h(k, t); the mode's partner -k is point-symmetric to it.
 vec2 modeAt(int column, int row) {
     if (column == 0 || row == 0) return vec2(0.0);
     Mode here = modes[row * side + column];
     vec2 there = modes[(side - row) * side + side - column].amplitude * vec2(1.0, -1.0);
-    double turned = here.frequency * time;
-    float angle = tau * float(turned - floor(turned));
+    float angle = tau * turned(here.frequency);
     vec2 turn = vec2(cos(angle), sin(angle));
     return product(here.amplitude, turn * vec2(1.0, -1.0)) + product(there, turn);
 }

@@ -34,7 +34,7 @@ class Program {
     void use() const { glUseProgram(_id); }
     void set(GLint location, int value) const { glProgramUniform1i(_id, at(location), value); }
     void set(GLint location, float value) const { glProgramUniform1f(_id, at(location), value); }
-    void set(GLint location, double value) const { glProgramUniform1d(_id, at(location), value); }
+    void set(GLint location, glm::uvec2 value) const { glProgramUniform2uiv(_id, at(location), 1, &value.x); }
     void set(GLint location, glm::ivec2 value) const { glProgramUniform2iv(_id, at(location), 1, &value.x); }
     void set(GLint location, glm::vec2 value) const { glProgramUniform2fv(_id, at(location), 1, &value.x); }
     void set(GLint location, glm::vec3 value) const { glProgramUniform3fv(_id, at(location), 1, &value.x); }

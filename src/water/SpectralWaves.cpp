@@ -14,13 +14,19 @@ namespace {
 
 constexpr int groupSize = 128;
 
+/// As whole steps of 2^-`places`, low word first.
+glm::uvec2 steps(double value, int places) {
+    const auto whole = std::uint64_t(std::round(std::ldexp(value, places)));
+    return {std::uint32_t(whole), std::uint32_t(whole >> 32)};
+}
+
 std::vector<gpu::Mode> modesOf(const Spectrum& spectrum) {
     std::vector<gpu::Mode> modes;
     for (int row = 0; row < spectrum.modes; ++row)
         for (int column = 0; column < spectrum.modes; ++column) {
             const std::complex<double>& h = spectrum.amplitudes[modes.size()];
             const double turns = Spectrum::frequency(glm::length(spectrum.wavenumber(column, row)));
-            modes.push_back({{float(h.real()), float(h.imag())}, turns / tau});
+            modes.push_back({{float(h.real()), float(h.imag())}, steps(turns / tau, 48)});
         }
     return modes;
 }
@@ -70,7 +76,10 @@ void SpectralWaves::update(SpectralTile& tile, const std::shared_ptr<const Spect
     for (const gl::Program* pass : {&_rows, &_columns}) {
         pass->set(sideLocation, spectrum->modes);
         pass->set(texelsLocation, texels);
-        if (pass == &_rows) pass->set(timeLocation, time);
+        if (pass == &_rows) {
+            pass->set(timeLocation, steps(std::abs(time), 32));
+            pass->set(backLocation, time < 0 ? 1 : 0);
+        }
         const std::int64_t lines = pass == &_rows ? spectrum->modes : texels;
         pass->dispatch(lines * groupSize, groupSize);
         glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
