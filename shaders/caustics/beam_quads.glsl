@@ -23,10 +23,11 @@ vec2 lastTexel(vec2 most) { return floor(most + thinnest); }
 // of a flat receiver all are alike. False where the ray does not come through that plane from the front.
 bool lean(inout vec4 corner) {
     vec2 gradient = boxShear.xy * boxExtent.w;
-    float front = 1.0 - dot(gradient, corner.zw);
+    precise float front = 1.0 - dot(gradient, corner.zw);
     if (front < grazing) return false;
-    corner.zw /= front;
-    corner.xy += corner.zw * dot(gradient, corner.xy);
+    precise vec2 slope = corner.zw / front;
+    precise vec2 at = corner.xy + slope * dot(gradient, corner.xy);
+    corner = vec4(at, slope);
     return true;
 }
 

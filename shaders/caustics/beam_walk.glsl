@@ -7,6 +7,17 @@ float depthOf(ivec2 texel) { return texelFetch(tangentPlanes, texel, 0).x; }
 // Whether a settled quad is walked at once; else its many texels come from how far its light goes along the receiver.
 bool isOneSlab(Slab slab, vec2 depths) { return texelsOf(slab) <= mostTexels || depths.y - depths.x <= boxExtent.w; }
 
+Place placeOf(Quad quad) {
+    Place place = nowhere();
+    Leant leant;
+    bool leans = lean(quad, leant);
+    if (leans && !settle(leant, place.slab, place.depths)) return place;
+    place.settled = leans && isOneSlab(place.slab, place.depths);
+    if (!place.settled) place.depths = vec2(0.0, boxExtent.z);
+    place.slabs = place.settled ? 1 : slabsAlong(quad, boxExtent.z);
+    return place;
+}
+
 // Least and greatest depth of the beam between two depths, less what the receiver leans: its distance from a flat one.
 vec2 distanceBetween(Quad quad, vec2 depths) {
     vec2 gradient = boxShear.xy * boxExtent.w;
@@ -18,10 +29,10 @@ vec2 distanceBetween(Quad quad, vec2 depths) {
 }
 
 // Of the box's height, where light runs along the receiver.
-bool slabAlong(Quad quad, vec2 height, int index, int run, int count, out Slab slab) {
-    vec2 depths = slabDepths(height, index, run, count);
-    slab.from = index == 0 ? -everywhere : depths.x;
-    slab.to = index + run == count ? everywhere : depths.y;
+bool slabAlong(Quad quad, vec2 height, int number, int count, out Slab slab) {
+    vec2 depths = slabDepths(height, number, count);
+    slab.from = number == 0 ? -everywhere : depths.x;
+    slab.to = number + 1 == count ? everywhere : depths.y;
     // A texel's plane reaches beyond the depth of its centre.
     vec2 steepest = min(max(abs(boxGradients.xy), abs(boxGradients.zw)), vec2(8.0));
     float reach = 0.5 * (steepest.x + steepest.y) * boxExtent.w;
@@ -31,30 +42,4 @@ bool slabAlong(Quad quad, vec2 height, int index, int run, int count, out Slab s
     // Where a texel is cut across the box's axis, the beam is within half of it of the surface.
     float margin = 0.5 * (abs(boxShear.x) + abs(boxShear.y)) * boxExtent.w;
     return beam.x - margin <= surface.y && beam.y + margin >= surface.x;
-}
-
-#ifdef LARGE
-bool findSlab(Quad quad, int number, out Slab slab) {
-    if (number != settled) return slabOf(quad, vec2(0.0, boxExtent.z), number, slab);
-    Leant leant;
-    vec2 depths;
-    lean(quad, leant);
-    return settle(leant, slab, depths);
-}
-#endif
-
-void walk(int index) {
-    Quad quad;
-    if (!loadQuad(index, quad)) return;
-    Leant leant;
-    Slab slab;
-    vec2 depths;
-    if (lean(quad, leant)) {
-        if (!settle(leant, slab, depths)) return;
-        if (isOneSlab(slab, depths)) {
-            walkSlab(quad, slab, index, settled);
-            return;
-        }
-    }
-    walkSlabs(quad, index, vec2(0.0, boxExtent.z));
 }

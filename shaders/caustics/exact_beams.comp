@@ -26,14 +26,6 @@ layout(std430, binding = beamLitBuffer) readonly buffer BeamLit { float lit[]; }
 
 // Depths within this much, in texels, are one plane.
 const float flatness = 2e-3;
-// A quad whose corners are further apart, in texels, is left to many invocations.
-const float widest = 64.0;
-
-bool isWide(Quad quad) {
-    vec2 across = max(abs(quad.q.xy - quad.p.xy), abs(quad.s.xy - quad.r.xy));
-    return max(across.x, across.y) > widest;
-}
-
 // The depth, in the box, of a place on the plane that leans, this much below it.
 float depthOf(vec2 place, float upright) { return upright + dot(boxShear.xy * boxExtent.w, place); }
 
@@ -120,18 +112,19 @@ void main() {
     Slab slab;
     vec2 depths;
     int list = plain;
-    bool onPlane = false;
+    bool narrow = false, onPlane = false;
     if (lean(quad, leant)) {
         if (!settle(leant, slab, depths)) return;
-        onPlane = depths.y - depths.x <= flatness * boxExtent.w && texelsOf(slab) <= mostTexels;
+        narrow = texelsOf(slab) <= mostTexels;
+        onPlane = narrow && depths.y - depths.x <= flatness * boxExtent.w;
 #ifdef SHADED
         int fate = fateOf(quad, index, leant, slab, depths);
         if (fate == taken) return;
-        if (fate == unsure) list = isWide(quad) ? wide : shaded, onPlane = false;
+        if (fate == unsure) list = shaded, onPlane = false, narrow = texelsOf(slab) <= mostGathered;
     } else {
-        list = isWide(quad) ? wide : shaded;
+        list = shaded;
 #endif
     }
     if (onPlane) depositOnPlane(quad, leant, slab, 0.5 * (depths.x + depths.y));
-    else leaveTo(list, index);
+    else leaveTo(narrow ? list : list + broad, index);
 }

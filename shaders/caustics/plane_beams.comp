@@ -3,7 +3,7 @@
 // One invocation for the two beams of a quad of the water's grid, a work group for a tile of quads. In: beams, planes of the
 // texels (levelmap/PlaneDepths.h), normal map; with PATHS, for what happens to light on its way, position map and
 // surface shadow. Out: flux sums, one channel or three (COLOURED), of irradiance times the area of a texel, as if the
-// whole mean light reached it. LARGE: the tiles of quads that touch many texels, which the pass over all quads left.
+// whole mean light reached it. BROAD: work groups for the quads that touch many texels, which the pass over all quads left.
 #include "interface/bindings.glsl"
 #include "caustics/quad_walk.glsl"
 #include "caustics/footprint.glsl"
@@ -11,7 +11,8 @@
 #include "caustics/texel_coverage.glsl"
 #include "optics/octahedral.glsl"
 #include "optics/optics.glsl"
-#ifndef LARGE
+#include "caustics/listed_quads.glsl"
+#ifndef BROAD
 #include "caustics/tile_quads.glsl"
 #endif
 #ifdef PATHS
@@ -53,13 +54,21 @@ bool settle(Quad quad, out Slab slab, out vec2 depths) {
     return settle(quad.p, quad.q, quad.r, quad.s, 0.0, slab, depths);
 }
 
+Place placeOf(Quad quad) {
+    Place place = nowhere();
+    if (!settle(quad, place.slab, place.depths)) return place;
+    place.settled = texelsOf(place.slab) <= mostTexels || place.depths.x == place.depths.y;
+    place.slabs = place.settled ? 1 : slabsAlong(quad, place.depths.y - place.depths.x);
+    return place;
+}
+
 // Over the depths that the quad has settled on.
-bool slabAlong(Quad quad, vec2 depths, int index, int run, int count, out Slab slab) {
-    vec2 part = slabDepths(depths, index, run, count);
+bool slabAlong(Quad quad, vec2 depths, int number, int count, out Slab slab) {
+    vec2 part = slabDepths(depths, number, count);
     if (!spanBetween(quad.p, quad.q, quad.r, quad.s, part, slab)) return false;
     vec2 found = depthRange(depthPyramid, slab.low, slab.high);
     slab.from = part.x;
-    slab.to = index + run == count ? everywhere : part.y;
+    slab.to = number + 1 == count ? everywhere : part.y;
     return found.x <= part.y && found.y >= part.x;
 }
 
@@ -112,28 +121,20 @@ void visit(Quad quad, int index, Slab slab, ivec2 texel, float depth) {
     deposit(texel, sum * stepsPerFlux);
 }
 
-bool leaveSlab(int index, int number, Slab slab) { return leaveToMany(index, number, slab.low, slab.high); }
+void doQuad(Quad quad, int index, int part, int parts) { walk(quad, index, part, parts); }
 
-#ifdef LARGE
-bool findSlab(Quad quad, int number, out Slab slab) {
-    vec2 depths;
-    if (!settle(quad, slab, depths)) return false;
-    return number == settled || slabOf(quad, depths, number, slab);
-}
-
-void main() { walkTiles(); }
+#ifdef BROAD
+void main() { doListed(plain); }
 #else
 void main() {
     ivec2 at;
     Quad quad;
-    Slab slab;
-    vec2 depths;
     if (!workQuad(quads, at)) return;
     int index = at.y * quads.x + at.x;
-    if (!loadQuad(index, quad) || !settle(quad, slab, depths)) return;
-    if (texelsOf(slab) <= mostTexels || depths.x == depths.y)
-        walkSlab(quad, slab, index, settled);
-    else
-        walkSlabs(quad, index, depths);
+    if (!loadQuad(index, quad)) return;
+    Place place = placeOf(quad);
+    if (place.slabs == 0) return;
+    if (place.settled && texelsOf(place.slab) <= mostTexels) walkNarrow(quad, index, place.slab);
+    else leaveTo(plain + broad, index);
 }
 #endif

@@ -87,7 +87,8 @@ int texelsOf(Slab slab) {
 }
 
 // Light along the receiver sweeps over many texels and meets few. Its way through `height` metres is cut into so many slabs
-// of depth that it sweeps about its own width in each; a power of two, so that whole runs of them can be skipped.
+// of depth that it sweeps about its own width in each.
+const int mostSlabs = 256;
 int slabsAlong(Quad quad, float height) {
     precise vec2 slope = max(max(abs(quad.p.zw), abs(quad.q.zw)), max(abs(quad.r.zw), abs(quad.s.zw)));
     precise vec2 across = max(abs(quad.q.xy - quad.p.xy), abs(quad.r.xy - quad.s.xy));
@@ -96,8 +97,8 @@ int slabsAlong(Quad quad, float height) {
     return 1 << clamp(findMSB(int(min(sweep, 255.0))) + 1, 0, 8);
 }
 
-// Depths of `run` slabs from `index` of `count` between two. The same bits wherever it is asked: a depth belongs to one slab.
-vec2 slabDepths(vec2 depths, int index, int run, int count) {
-    precise vec2 within = depths.x + (depths.y - depths.x) * (vec2(float(index), float(index + run)) / float(count));
-    return vec2(index == 0 ? depths.x : within.x, index + run == count ? depths.y : within.y);
+// Depths of a slab of `count` between two. The same bits wherever it is asked: a depth belongs to one slab.
+vec2 slabDepths(vec2 depths, int number, int count) {
+    precise vec2 within = depths.x + (depths.y - depths.x) * (vec2(float(number), float(number + 1)) / float(count));
+    return vec2(number == 0 ? depths.x : within.x, number + 1 == count ? depths.y : within.y);
 }

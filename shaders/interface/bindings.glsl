@@ -18,7 +18,6 @@ const int subBoxesBuffer = 0;
 const int tileBoundsBuffer = 0;
 const int wavesBuffer = 0;
 const int hostIndicesBuffer = 1;
-const int largeBeamsBuffer = 1;
 const int positionsBuffer = 1;
 const int reachedTilesBuffer = 1;
 const int turnsBuffer = 1;

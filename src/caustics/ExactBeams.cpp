@@ -15,12 +15,6 @@ namespace {
 constexpr int groupSize = 64;
 constexpr glm::ivec2 resolveGroupSize{8, 8};
 
-/// Touches of quads that may be shaded, which wait for their pass: 16 MiB of them. Quads beyond are walked as
-/// wide ones are.
-constexpr std::int64_t mostTouches = 1 << 21;
-
-constexpr glm::uvec4 noQuads{0, 1, 1, 0};
-constexpr gpu::BeamLists noLists{{noQuads, noQuads, noQuads}};
 constexpr gpu::BeamTouches noTouches{{0, 1, 1}, 0, {0, 0}};
 
 double fluxPerStepOf(const ExactBeams::Inputs& inputs) {
@@ -32,36 +26,43 @@ int sumsATexel(const ExactBeams::Inputs& inputs) {
     return channelsOf(inputs.colours, inputs.water, inputs.occluders && inputs.occluders->coloured());
 }
 
+bool mayBeShaded(const ExactBeams::Inputs& inputs) {
+    return inputs.occluders || inputs.beams.surfaceShadow;
+}
+
 } // namespace
 
-ExactBeams::ExactBeams(gl::Context& context)
+ExactBeams::ExactBeams(gl::Context& context, std::int64_t touches)
     : _context(context), _footprints(context), _sums(context), _resolve({"caustics/resolve_sums.comp"}),
-      _largeBeams(context) {}
+      _lists(context), _mostTouches(touches) {}
 
 const gl::Program& ExactBeams::program(Pass pass, const Variant& variant) {
     std::optional<gl::Program>& program =
         _programs[std::size_t(pass)][std::size_t(variant.extinction) + 2 * std::size_t(variant.coloured) +
-                                     4 * std::size_t(variant.shaded) + 8 * std::size_t(variant.veiled)];
+                                     4 * std::size_t(variant.shaded) + 8 * std::size_t(variant.veiled) +
+                                     16 * std::size_t(variant.broad)];
     if (program) return *program;
     std::vector<std::string> defines;
     if (variant.extinction) defines.emplace_back("EXTINCTION");
     if (variant.coloured) defines.emplace_back("COLOURED");
     if (variant.shaded) defines.emplace_back("SHADED");
     if (variant.veiled) defines.emplace_back("VEILS");
-    if (pass == Pass::Tiles) defines.emplace_back("LARGE");
+    if (variant.broad) defines.emplace_back("BROAD");
     constexpr const char* files[] = {"caustics/exact_beams.comp", "caustics/exact_beams_by_texel.comp",
-                                     "caustics/exact_beams_gather.comp", "caustics/exact_beams_touches.comp",
-                                     "caustics/exact_beams_by_texel.comp"};
+                                     "caustics/exact_beams_gather.comp", "caustics/exact_beams_touches.comp"};
     return program.emplace(std::initializer_list<const char*>{files[int(pass)]}, defines);
 }
 
-/// Room for the lists and tiles, both empty.
-void ExactBeams::prepareLists(std::int64_t quads) {
-    gl::Ledger& ledger = _context.ledger();
-    const std::int64_t bytes = std::int64_t(sizeof(noLists)) + 3 * 4 * quads;
-    if (_lists.bytes() != bytes) _lists = gl::Buffer(ledger, "beam lists", bytes);
-    _lists.write(0, sizeof(noLists), &noLists);
-    _largeBeams.clear();
+/// Room for lists and touches, all empty.
+void ExactBeams::prepareLists(const Inputs& inputs) {
+    const glm::ivec2 size = inputs.map.frame.size, quads = inputs.surface.quads;
+    _lists.clear(std::int64_t(quads.x) * quads.y, std::int64_t(size.x) * size.y);
+    if (!mayBeShaded(inputs)) return;
+    if (!_touches.id())
+        _touches =
+            gl::Buffer(_context.ledger(), "beam touches", std::int64_t(sizeof(noTouches)) + 8 * _mostTouches);
+    _touches.write(0, sizeof(noTouches), &noTouches);
+    _touches.bindStorage(beamTouchesBuffer);
 }
 
 void ExactBeams::bind(const Inputs& inputs) const {
@@ -72,7 +73,8 @@ void ExactBeams::bind(const Inputs& inputs) const {
     inputs.beams.flux.bindStorage(beamFluxBuffer);
     _footprints.rays().bindStorage(footprintsBuffer);
     _footprints.originDepths().bindStorage(originDepthsBuffer);
-    _lists.bindStorage(beamListsBuffer);
+    inputs.beams.lit.bindStorage(beamLitBuffer);
+    _lists.bind();
     if (inputs.occluders) inputs.occluders->bind();
     if (inputs.beams.surfaceShadow) inputs.beams.surfaceShadow->bind(surfaceShadowUnit);
 }
@@ -87,21 +89,18 @@ void ExactBeams::set(const gl::Program& program, const Inputs& inputs, const Var
     program.set(testSurfaceShadowLocation, inputs.beams.surfaceShadow ? 1 : 0);
 }
 
-void ExactBeams::byTexel(const gl::Program& program, int list) const {
-    program.set(listLocation, list);
-    program.dispatchIndirect(_lists, std::int64_t(list) * std::int64_t(sizeof(noQuads)));
+/// Narrow and broad ones.
+void ExactBeams::doListed(const Use& use, Pass pass, int list) const {
+    _lists.dispatch(use(pass, false, false), list);
+    _lists.dispatch(use(pass, false, true), list + gpu::broad);
 }
 
-/// Quads that may be shaded, touch by touch.
-void ExactBeams::depositShaded(const Use& use) {
-    if (!_touches.id())
-        _touches =
-            gl::Buffer(_context.ledger(), "beam touches", std::int64_t(sizeof(noTouches)) + 8 * mostTouches);
-    _touches.write(0, sizeof(noTouches), &noTouches);
-    _touches.bindStorage(beamTouchesBuffer);
-    use(Pass::Gather, false).dispatchIndirect(_lists, gpu::shaded * std::int64_t(sizeof(noQuads)));
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
-    use(Pass::Touches, true).dispatchIndirect(_touches, 0);
+/// Those in their list, then those that found no room there.
+void ExactBeams::doTouches(const gl::Program& program) const {
+    program.set(listLocation, gpu::shaded);
+    program.dispatchIndirect(_touches, 0);
+    program.set(listLocation, gpu::left);
+    _lists.dispatch(program, gpu::left);
 }
 
 void ExactBeams::bindSums(const Inputs& inputs) {
@@ -115,32 +114,29 @@ void ExactBeams::deposit(const Inputs& inputs) {
     const double stepsPerFlux = 1 / (fluxPerStepOf(inputs) * inputs.points);
     const bool coloured = sumsATexel(inputs) > 1;
     const bool extinction = inputs.water.absorption + inputs.water.scattering != glm::dvec3(0);
-    const bool mayBeShaded = inputs.occluders || inputs.beams.surfaceShadow;
-    const std::int64_t quads = std::int64_t(inputs.surface.quads.x) * inputs.surface.quads.y;
+    const bool shade = mayBeShaded(inputs);
     _footprints.updateRays(inputs.beams, inputs.surface, inputs.map, inputs.culling);
-    prepareLists(quads);
+    prepareLists(inputs);
     bind(inputs);
-    const Use use = [&](Pass pass, bool shaded) -> const gl::Program& {
+    const Use use = [&](Pass pass, bool shaded, bool broad) -> const gl::Program& {
         const bool deposits = pass != Pass::Gather;
         // The pass over all quads only asks whether something may be in the way.
-        const bool veiled = pass != Pass::AllQuads && deposits && shaded && inputs.occluders &&
-                            inputs.occluders->veiled();
-        const Variant variant{deposits && extinction, deposits && coloured, shaded, veiled};
+        const bool veiled = pass == Pass::Touches && inputs.occluders && inputs.occluders->veiled();
+        const Variant variant{deposits && extinction, deposits && coloured, shaded, veiled, broad};
         const gl::Program& found = program(pass, variant);
         found.set(quadsLocation, inputs.surface.quads);
         if (deposits) set(found, inputs, variant, stepsPerFlux);
-        if (deposits && shaded) found.set(receiverNumberLocation, inputs.receiverNumber);
+        if (shaded) found.set(receiverNumberLocation, inputs.receiverNumber);
         return found;
     };
-    inputs.beams.lit.bindStorage(beamLitBuffer);
-    BeamCulling::dispatch(use(Pass::AllQuads, mayBeShaded), inputs.culling, inputs.surface.quads);
+    BeamCulling::dispatch(use(Pass::AllQuads, shade, false), inputs.culling, inputs.surface.quads);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
-
-    _largeBeams.bind();
-    if (mayBeShaded) depositShaded(use);
-    byTexel(use(Pass::Listed, false), gpu::plain);
-    if (mayBeShaded) byTexel(use(Pass::Listed, true), gpu::wide);
-    _largeBeams.dispatch(use(Pass::Tiles, mayBeShaded));
+    if (shade) doListed(use, Pass::Gather, gpu::shaded);
+    doListed(use, Pass::ByTexel, gpu::plain);
+    if (shade) {
+        glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
+        doTouches(use(Pass::Touches, true, false));
+    }
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT |
                     GL_BUFFER_UPDATE_BARRIER_BIT); // the next map empties the lists
 }

@@ -4,9 +4,9 @@
 #include <optional>
 
 #include "caustics/BeamFootprints.h"
+#include "caustics/BeamLists.h"
 #include "caustics/CausticMap.h"
 #include "caustics/FluxSums.h"
-#include "caustics/LargeBeams.h"
 #include "caustics/TangentPlanes.h"
 #include "gl/Program.h"
 #include "levelmap/LevelMap.h"
@@ -18,12 +18,17 @@ namespace limpid {
 /// Our own method: compute passes over the beams, no planes. Each beam finds the depths that it meets in the
 /// level map, walks the texels that it can touch there, and gives each the flux of the part of the beam that
 /// the texel's tangent plane cuts out. The first pass does the quads whose texels lie in one plane that
-/// nothing shades, and sorts the others into lists: quads on curved faces, quads that may be shaded (gathered
-/// touch by touch), and those that touch many texels (done in tiles). Summed in integers: every run gives the
-/// same bits.
+/// nothing shades, and sorts the others into lists: quads on curved faces, and quads that may be shaded
+/// (gathered touch by touch); of each, those that touch many texels are for work groups. Summed in integers:
+/// every run gives the same bits.
 class ExactBeams {
   public:
-    explicit ExactBeams(gl::Context& context);
+    /// Touches of quads that may be shaded, which wait for their pass: 16 MiB of them. Quads beyond are
+    /// walked again in that pass.
+    static constexpr std::int64_t mostTouches = 1 << 21;
+
+    /// `touches`: room for so many.
+    explicit ExactBeams(gl::Context& context, std::int64_t touches = mostTouches);
 
     struct Inputs {
         const LevelMap& map;
@@ -48,37 +53,36 @@ class ExactBeams {
     void free() {
         _footprints.free();
         _sums.free();
-        _lists = {};
+        _lists.free();
         _touches = {};
-        _largeBeams.free();
     }
 
   private:
-    /// The dispatches of a fill: all quads; those of a list; which texels the quads touch that may be shaded,
-    /// and these touches; tiles of the quads that touch many texels.
-    enum class Pass { AllQuads, Listed, Gather, Touches, Tiles };
+    /// The passes of a fill: all quads; those on curved faces; which texels the quads touch that may be
+    /// shaded, and these touches.
+    enum class Pass { AllQuads, ByTexel, Gather, Touches };
     /// What a program is compiled for.
     struct Variant {
-        bool extinction, coloured, shaded, veiled;
+        bool extinction, coloured, shaded, veiled, broad;
     };
     const gl::Program& program(Pass pass, const Variant& variant);
-    void prepareLists(std::int64_t quads);
+    void prepareLists(const Inputs& inputs);
     void bind(const Inputs& inputs) const;
     void set(const gl::Program& program, const Inputs& inputs, const Variant& variant,
              double stepsPerFlux) const;
-    using Use = std::function<const gl::Program&(Pass pass, bool shaded)>; ///< with its uniforms set
-    void byTexel(const gl::Program& program, int list) const;
-    void depositShaded(const Use& use);
+    using Use = std::function<const gl::Program&(Pass pass, bool shaded, bool broad)>; ///< with uniforms set
+    void doListed(const Use& use, Pass pass, int list) const;
+    void doTouches(const gl::Program& program) const;
     void bindSums(const Inputs& inputs);
 
     gl::Context& _context;
     BeamFootprints _footprints;
-    std::array<std::array<std::optional<gl::Program>, 16>, 5> _programs; ///< compiled when first needed
+    std::array<std::array<std::optional<gl::Program>, 32>, 4> _programs; ///< compiled when first needed
     FluxSums _sums;
     gl::Program _resolve;
-    gl::Buffer _lists;   ///< gpu::BeamLists
+    BeamLists _lists;
+    std::int64_t _mostTouches;
     gl::Buffer _touches; ///< gpu::BeamTouches
-    LargeBeams _largeBeams;
 };
 
 } // namespace limpid

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/ShaderData.h"
 #include "gl/Bindings.h"
 
 namespace limpid {
@@ -32,19 +33,18 @@ double stepsOf(const PlaneBeams::Inputs& inputs) {
 
 } // namespace
 
-PlaneBeams::PlaneBeams(gl::Context& context, int tiles)
-    : _context(context), _sums(context), _resolve({"caustics/resolve_planes.comp"}),
-      _largeBeams(context, tiles) {}
+PlaneBeams::PlaneBeams(gl::Context& context)
+    : _context(context), _sums(context), _resolve({"caustics/resolve_planes.comp"}), _broad(context) {}
 
 const gl::Program& PlaneBeams::program(const Variant& variant) {
     std::optional<gl::Program>& program =
         _programs[std::size_t(variant.paths) + 2 * std::size_t(variant.coloured) +
-                  4 * std::size_t(variant.large)];
+                  4 * std::size_t(variant.broad)];
     if (program) return *program;
     std::vector<std::string> defines;
     if (variant.paths) defines.emplace_back("PATHS");
     if (variant.coloured) defines.emplace_back("COLOURED");
-    if (variant.large) defines.emplace_back("LARGE");
+    if (variant.broad) defines.emplace_back("BROAD");
     return program.emplace(std::initializer_list<const char*>{"caustics/plane_beams.comp"}, defines);
 }
 
@@ -70,22 +70,24 @@ void PlaneBeams::depositBetween(const Inputs& inputs, const glm::vec2& depths) {
     const double stepsPerFlux = stepsOf(inputs) / inputs.points;
     const glm::dvec3 extinction = inputs.water.absorption + inputs.water.scattering;
     const bool paths = extinction != glm::dvec3(0) || inputs.beams.surfaceShadow;
-    _largeBeams.clear();
-    _largeBeams.bind();
-    for (const bool large : {false, true}) {
-        const gl::Program& program = this->program({paths, coloured, large});
-        program.set(quadsLocation, inputs.surface.quads);
+    const glm::ivec2 size = inputs.map.frame.size, quads = inputs.surface.quads;
+    _broad.clear(std::int64_t(quads.x) * quads.y, std::int64_t(size.x) * size.y);
+    _broad.bind();
+    for (const bool broad : {false, true}) {
+        const gl::Program& program = this->program({paths, coloured, broad});
+        program.set(quadsLocation, quads);
         program.set(stepsPerFluxLocation, float(stepsPerFlux));
         program.set(depthLimitsLocation, depths);
         if (paths) {
             program.set(extinctionPerMetreLocation, glm::vec3(extinction));
             program.set(testSurfaceShadowLocation, inputs.beams.surfaceShadow ? 1 : 0);
         }
-        if (large)
-            _largeBeams.dispatch(program);
+        if (broad)
+            _broad.dispatch(program, gpu::plain + gpu::broad);
         else
-            BeamCulling::dispatch(program, inputs.culling, inputs.surface.quads);
-        glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+            BeamCulling::dispatch(program, inputs.culling, quads);
+        glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT |
+                        GL_BUFFER_UPDATE_BARRIER_BIT);
     }
 }
 

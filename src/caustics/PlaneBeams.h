@@ -2,10 +2,10 @@
 #include <array>
 #include <optional>
 
+#include "caustics/BeamLists.h"
 #include "caustics/BeamTiles.h"
 #include "caustics/CausticMap.h"
 #include "caustics/FluxSums.h"
-#include "caustics/LargeBeams.h"
 #include "gl/Program.h"
 #include "levelmap/LevelMap.h"
 #include "levelmap/PlaneDepths.h"
@@ -21,8 +21,7 @@ namespace limpid {
 /// `level-map-smart`: planes without texels take no time.
 class PlaneBeams {
   public:
-    /// `tiles`: as LargeBeams has it.
-    explicit PlaneBeams(gl::Context& context, int tiles = LargeBeams::mostTiles);
+    explicit PlaneBeams(gl::Context& context);
 
     struct Inputs {
         const LevelMap& map;
@@ -50,13 +49,13 @@ class PlaneBeams {
     /// Gives back its memory until the next fill.
     void free() {
         _sums.free();
-        _largeBeams.free();
+        _broad.free();
     }
 
   private:
     /// What plane_beams.comp is compiled for.
     struct Variant {
-        bool paths, coloured, large;
+        bool paths, coloured, broad;
     };
     const gl::Program& program(const Variant& variant);
     void bind(const Inputs& inputs);
@@ -66,7 +65,7 @@ class PlaneBeams {
     FluxSums _sums;
     std::array<std::optional<gl::Program>, 8> _programs; ///< compiled when first needed
     gl::Program _resolve;
-    LargeBeams _largeBeams;
+    BeamLists _broad; ///< quads that touch many texels
 };
 
 } // namespace limpid

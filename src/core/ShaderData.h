@@ -24,7 +24,6 @@ using namespace glm;
 #include "interface/kept_tiles.glsl"
 #include "interface/beam_lists.glsl"
 #include "interface/beam_touches.glsl"
-#include "interface/large_beams.glsl"
 #include "interface/photons_left.glsl"
 #include "interface/draw_command.glsl"
 #include "interface/shaft_gap.glsl"
@@ -40,8 +39,8 @@ static_assert(fitsUniforms<BoxFrame> && fitsUniforms<LightFrame> && fitsUniforms
 static_assert(sizeof(WaveTerm) == 64 && sizeof(Mode) == 16 && sizeof(SubBox) == 16 &&
               sizeof(RayBounds) == 64);
 static_assert(sizeof(OccluderNode) == 32 && sizeof(OccluderTriangle) == 48 && sizeof(VeilTriangle) == 80);
-static_assert(sizeof(LeftPhoton) == 64 && sizeof(PhotonsLeft) == 16 && sizeof(LargeBeams) == 16);
-static_assert(sizeof(Kept) == 20 && sizeof(BeamLists) == 48 && sizeof(BeamTouches) == 24);
+static_assert(sizeof(LeftPhoton) == 64 && sizeof(PhotonsLeft) == 16);
+static_assert(sizeof(Kept) == 20 && sizeof(BeamLists) == 80 && sizeof(BeamTouches) == 24);
 static_assert(sizeof(Gap) == 32 && sizeof(VolumeStarts) == 16 && sizeof(DrawCommand) == 16);
 
 } // namespace limpid::gpu

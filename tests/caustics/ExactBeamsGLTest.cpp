@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "caustics/CosineTruth.h"
+#include "caustics/ExactBeams.h"
 #include "engine/EngineFixture.h"
 
 namespace limpid {
@@ -127,6 +128,42 @@ TEST_F(ExactBeamsGLTest, aFewLargeBeamsLightAsManySmall) {
         // At the edge of shade a texel's part of a large beam is lit or not as one; small beams share it.
         EXPECT_LT(error / sum, sphere ? 0.002 : 1e-4) << sphere;
         EXPECT_GT(sum, 0);
+    }
+}
+
+/// Beams of all kinds beside something that shades them: narrow ones, broad ones, and some along the
+/// receiver.
+Scene sphereInWaves(int grid) {
+    Scene scene = scenes::floorPastSphere(30);
+    scene.water.waves = {scenes::cosine(0.01, 0.3, {1, 0.4})};
+    scene.water.absorption = {0.4, 0.2, 0.1};
+    scene.water.grid = glm::ivec2(grid);
+    scene.caustics.mapSize = 192;
+    scene.caustics.method = Method::ExactBeam;
+    return scene;
+}
+
+TEST_F(ExactBeamsGLTest, touchesWithoutRoomGiveTheSameBits) {
+    for (const int grid : {12, 48, 192}) {
+        Engine engine(context());
+        engine.set(sphereInWaves(grid));
+        engine.updateCaustics(0);
+        const Scene& scene = engine.scene();
+        const Occluders occluders(context(), scene.receivers, engine.origin());
+        for (const std::int64_t room : {1, 4096}) {
+            ExactBeams cramped(context(), room);
+            for (const MapWork& map : engine.maps()) {
+                CausticMap caustics;
+                cramped.fill(caustics,
+                             {map.level, map.plan.receiver, map.tangents, &occluders,
+                              engine.light(map.plan.light).beams, engine.waterMesh(), engine.waterPatch(),
+                              scene.water, scene.lights[std::size_t(map.plan.light)]});
+                EXPECT_EQ(caustics.irradiance.readFloats(GL_RGBA, 4),
+                          map.caustics.irradiance.readFloats(GL_RGBA, 4))
+                    << grid << " quads a side, map of receiver " << map.plan.receiver << ", room for "
+                    << room;
+            }
+        }
     }
 }
 
