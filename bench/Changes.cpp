@@ -69,9 +69,25 @@ void add(gl::Context& context, const char* scene, Scene (*load)(), const char* n
         ->Unit(benchmark::kMillisecond);
 }
 
+/// Registers a benchmark of the calling thread's work when the one receiver of a model moves, before any map.
+void addMove(gl::Context& context, const char* model) {
+    const auto body = [&context, model](benchmark::State& state) {
+        Live live(context, io::loadScene(fmt::format(LIMPID_ROOT "/models/{}.glb", model)));
+        live.engine.set(live.scene);
+        for (auto _ : state) {
+            live.scene.receivers[0].translation.x += live.odd() ? 0.02 : -0.02;
+            live.engine.set(live.scene);
+        }
+    };
+    benchmark::RegisterBenchmark(fmt::format("change/{}/move", model).c_str(), body)
+        ->Unit(benchmark::kMillisecond);
+}
+
 } // namespace
 
 void addChanges(gl::Context& context) {
+    for (const char* model : {"teapot", "helicopter"})
+        addMove(context, model);
     const std::pair<const char*, Scene (*)()> models[] = {{"teapot", teapot}, {"fish", fish}};
     for (const auto& [name, load] : models) {
         add(context, name, load, "time", [](Live& live) { live.time += 1.0 / 30; });

@@ -58,7 +58,8 @@ Stage::Stage(gl::Context& gl, const StageSize& asked)
     tracer.trace(beams, surface.mesh(), nullptr);
     const glm::dvec3 light = meanDirection(sun, scene.water, worldBounds(scene.receivers[0]).center());
     const OrientedBox box = tightBox(points, light);
-    const Facings facings = findFacings(scene.receivers[0], light, scene.water.level, geometry.closed());
+    const Facings facings =
+        findFacings(scene.receivers[0], light, scene.water.level, enclosesSolid(scene.receivers[0]));
     const DepthGradients gradients = depthGradients(scene.receivers[0], box, facings, 0, scene.water.level);
     prepareLevelMap(gl, map, {box, facings, gradients, size.mapSize, size.planes, glm::dvec3(0)});
     levelMapPass.draw(map, receiver());

@@ -77,7 +77,7 @@ void Engine::set(Scene scene) {
     requireScene(scene, _context);
     const gl::Guard guard(_context);
     if (!_asked || asPlanned(scene) != asPlanned(*_asked)) {
-        Plan plan = planOf(scene);
+        Plan plan = planOf(scene, _plan.receivers);
         _receivers.set(scene.receivers, plan.origin);
         _plan = std::move(plan);
         _water.set(scene.water, _plan.patch, _plan.origin);

@@ -15,7 +15,8 @@ class Receivers {
   public:
     explicit Receivers(gl::Context& context) : _context(context) {}
 
-    /// Those that look and stand as the one of their number before are not made again. `origin`: what
+    /// Those that look and stand as the one of their number before are not made again, and of those that only
+    /// stand elsewhere no more than their vertices. `origin`: what
     /// positions on the GPU are relative to, m. Throws GraphicsError, and then keeps those before.
     void set(std::span<const Receiver> receivers, const glm::dvec3& origin);
 

@@ -6,7 +6,6 @@
 #include "core/ShaderData.h"
 #include "gl/Bindings.h"
 #include "levelmap/HostTriangles.h"
-#include "plan/Facings.h"
 
 namespace limpid {
 
@@ -73,7 +72,7 @@ Bounds boundsOf(const Receiver& receiver, const MeshPart& part) {
 } // namespace
 
 ReceiverGeometry::ReceiverGeometry(gl::Context& context, const Receiver& receiver, const glm::dvec3& origin)
-    : _parts(receiver.mesh->parts), _materials(receiver.mesh->materials), _closed(isSolid(receiver)),
+    : _parts(receiver.mesh->parts), _materials(receiver.mesh->materials),
       _partlyBlended(isPartlyBlended(*receiver.mesh)) {
     gl::Ledger& ledger = context.ledger();
     if (receiver.host)
@@ -85,6 +84,17 @@ ReceiverGeometry::ReceiverGeometry(gl::Context& context, const Receiver& receive
     _vertexArray.attribute(uvAttribute, _vertices, 4, offsetof(Vertex, uv), sizeof(Vertex));
     _vertexArray.shortAttribute(colorAttribute, _vertices, offsetof(Vertex, color), sizeof(Vertex));
     _vertexArray.indices(_indices);
+    findBlendedParts(receiver, origin);
+}
+
+void ReceiverGeometry::place(const Receiver& receiver, const glm::dvec3& origin) {
+    const auto vertices = worldVertices(receiver, origin);
+    _vertices.write(0, std::int64_t(vertices.size() * sizeof(Vertex)), vertices.data());
+    findBlendedParts(receiver, origin);
+}
+
+void ReceiverGeometry::findBlendedParts(const Receiver& receiver, const glm::dvec3& origin) {
+    _blendedParts.clear();
     for (std::size_t i = 0; i < _parts.size(); ++i) {
         const Material& material = _materials[std::size_t(_parts[i].material)];
         if (!isBlended(material)) continue;

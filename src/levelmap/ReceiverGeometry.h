@@ -17,6 +17,9 @@ class ReceiverGeometry {
   public:
     ReceiverGeometry(gl::Context& context, const Receiver& receiver, const glm::dvec3& origin);
 
+    /// The same mesh at another place: only what that decides is written anew. Not for a host's.
+    void place(const Receiver& receiver, const glm::dvec3& origin);
+
     /// Draws all triangles; the material is what shaders/levelmap/receiver_fragment.glsl takes.
     /// `primitive` is GL_TRIANGLES, or GL_PATCHES for a program that tessellates.
     /// What lets more than half of the light through counts as a hole, else as solid.
@@ -37,14 +40,12 @@ class ReceiverGeometry {
     };
     const std::vector<BlendedPart>& blendedParts() const { return _blendedParts; }
 
-    /// Whether its surface encloses a solid: closed, wound outwards as far as signs of scale can say, and
-    /// without holes of cut-outs.
-    bool closed() const { return _closed; }
     /// Whether some of it takes a part of the light and lets the rest through.
     bool translucent() const { return !_blendedParts.empty(); }
 
   private:
     void uploadMesh(gl::Ledger& ledger, const Receiver& receiver, const glm::dvec3& origin);
+    void findBlendedParts(const Receiver& receiver, const glm::dvec3& origin);
     void takeHostMesh(gl::Context& context, const Receiver& receiver, const glm::dvec3& origin);
     void uploadImages(gl::Ledger& ledger, const Mesh& mesh);
     void drawPart(std::size_t part, const gl::Program& program, GLenum primitive, float cutoff) const;
@@ -58,7 +59,7 @@ class ReceiverGeometry {
     std::vector<MeshPart> _parts;
     std::vector<Material> _materials;
     std::vector<BlendedPart> _blendedParts;
-    bool _closed = false, _partlyBlended = false;
+    bool _partlyBlended = false;
 };
 
 } // namespace limpid

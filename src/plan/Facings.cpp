@@ -104,12 +104,11 @@ bool isClosed(const Mesh& mesh) {
     return true;
 }
 
-bool isSolid(const Receiver& receiver) {
+bool enclosesSolid(const Receiver& receiver) {
+    if (receiver.host) return receiver.host->closed;
     const auto cutOut = [](const Material& m) { return m.alphaMode != AlphaMode::Opaque; };
     const Mesh& mesh = *receiver.mesh;
-    const bool mirrored = receiver.scale.x * receiver.scale.y * receiver.scale.z < 0;
-    if (receiver.host) return !mirrored && receiver.host->closed;
-    return !mirrored && std::none_of(mesh.materials.begin(), mesh.materials.end(), cutOut) && isClosed(mesh);
+    return std::none_of(mesh.materials.begin(), mesh.materials.end(), cutOut) && isClosed(mesh);
 }
 
 Facings findFacings(const Receiver& receiver, const glm::dvec3& light, double level, bool closed) {

@@ -47,13 +47,14 @@ DepthGradients depthGradients(const Receiver& receiver, const OrientedBox& box, 
                               int facing, double level);
 
 /// `light`: the mean light at the receiver; `level`: faces wholly above it do not count; `closed`: whether
-/// the receiver is a solid (isSolid).
+/// the receiver is a solid (PlannedReceiver::solid).
 Facings findFacings(const Receiver& receiver, const glm::dvec3& light, double level, bool closed);
 
 /// Whether every edge of the mesh is shared by two triangles, once corners at one place count as one.
 bool isClosed(const Mesh& mesh);
 
-/// Whether the receiver encloses a solid: its mesh is closed, not mirrored by its scale, and has no cut-outs.
-bool isSolid(const Receiver& receiver);
+/// A receiver's mesh encloses a solid: it is closed and has no cut-outs. Its place and scale count for
+/// nothing.
+bool enclosesSolid(const Receiver& receiver);
 
 } // namespace limpid

@@ -9,13 +9,13 @@ namespace limpid {
 namespace {
 
 /// The map along the light, and one for each way that faces along the light look.
-void planReceiver(std::vector<PlannedMap>& plan, const Scene& scene, int receiver, int light, bool solid,
+void planReceiver(std::vector<PlannedMap>& plan, const Scene& scene, int receiver, int light,
                   const PlannedReceiver& planned) {
     const std::vector<glm::dvec3>& submerged = planned.submerged;
     const glm::dvec3 direction =
         meanDirection(scene.lights[std::size_t(light)], scene.water, planned.wet.center());
     const auto facings = std::make_shared<const Facings>(
-        findFacings(scene.receivers[std::size_t(receiver)], direction, scene.water.level, solid));
+        findFacings(scene.receivers[std::size_t(receiver)], direction, scene.water.level, planned.solid));
     plan.push_back({receiver, light, 0, facings, tightBox(submerged, facings->light), {}, true});
     for (int k = 0; k < 4; ++k)
         if (facings->used[std::size_t(k)])
@@ -39,13 +39,10 @@ bool PlannedMap::operator==(const PlannedMap& other) const {
 std::vector<PlannedMap> planMaps(const Scene& scene, std::span<const PlannedReceiver> receivers,
                                  const WaterPatch& patch) {
     std::vector<PlannedMap> plan;
-    std::vector<bool> solid;
-    for (const Receiver& receiver : scene.receivers)
-        solid.push_back(isSolid(receiver));
     for (std::size_t light = 0; light < scene.lights.size(); ++light)
         for (std::size_t receiver = 0; receiver < scene.receivers.size(); ++receiver)
             if (!receivers[receiver].submerged.empty())
-                planReceiver(plan, scene, int(receiver), int(light), solid[receiver], receivers[receiver]);
+                planReceiver(plan, scene, int(receiver), int(light), receivers[receiver]);
     for (PlannedMap& map : plan) {
         const auto receiver = std::size_t(map.receiver);
         map.gradients =

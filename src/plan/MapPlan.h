@@ -13,6 +13,10 @@
 namespace limpid {
 
 struct PlannedReceiver {
+    std::shared_ptr<const Mesh> mesh; ///< the receiver's
+    std::shared_ptr<const HostMesh> host;
+    bool closed = false;               ///< whether that encloses a solid (enclosesSolid)
+    bool solid = false;                ///< and is wound outwards as far as signs of scale can say
     Bounds bounds;                     ///< m from the scene's origin
     Bounds wet;                        ///< of its part below the level, in the world, m
     std::vector<glm::dvec3> submerged; ///< corners of that part (pointsOfSide), in the world, m

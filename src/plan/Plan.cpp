@@ -8,8 +8,24 @@ namespace limpid {
 
 namespace {
 
-PlannedReceiver planReceiver(const Receiver& receiver, double level, const glm::dvec3& origin) {
+/// Whether a receiver's own triangles enclose a solid, by those that have the same.
+std::optional<bool> closedAmong(std::span<const PlannedReceiver> receivers, const Receiver& receiver) {
+    const auto same = std::find_if(receivers.begin(), receivers.end(), [&](const PlannedReceiver& other) {
+        return other.mesh == receiver.mesh && other.host == receiver.host;
+    });
+    return same == receivers.end() ? std::nullopt : std::optional<bool>(same->closed);
+}
+
+bool isMirrored(const Receiver& receiver) {
+    return receiver.scale.x * receiver.scale.y * receiver.scale.z < 0;
+}
+
+PlannedReceiver planReceiver(const Receiver& receiver, bool closed, double level, const glm::dvec3& origin) {
     PlannedReceiver plan;
+    plan.mesh = receiver.mesh;
+    plan.host = receiver.host;
+    plan.closed = closed;
+    plan.solid = closed && !isMirrored(receiver);
     const Bounds bounds = worldBounds(receiver);
     plan.bounds = {bounds.min - origin, bounds.max - origin};
     plan.submerged = pointsOfSide(receiver, level, Side::Below);
@@ -55,12 +71,16 @@ PlannedLight planLight(const Light& light, const Water& water, const Plan& plan)
 
 } // namespace
 
-Plan planOf(const Scene& scene) {
+Plan planOf(const Scene& scene, std::span<const PlannedReceiver> before) {
     Plan plan;
     plan.origin = sceneOrigin(scene);
     plan.patch = coveringPatch(scene);
-    for (const Receiver& receiver : scene.receivers)
-        plan.receivers.push_back(planReceiver(receiver, scene.water.level, plan.origin));
+    for (const Receiver& receiver : scene.receivers) {
+        std::optional<bool> closed = closedAmong(before, receiver);
+        if (!closed) closed = closedAmong(plan.receivers, receiver);
+        if (!closed) closed = enclosesSolid(receiver);
+        plan.receivers.push_back(planReceiver(receiver, *closed, scene.water.level, plan.origin));
+    }
     planSides(plan, scene);
     for (const Light& light : scene.lights)
         plan.lights.push_back(planLight(light, scene.water, plan));

@@ -1,5 +1,6 @@
 #pragma once
 #include <optional>
+#include <span>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -33,7 +34,8 @@ struct Plan {
     std::vector<PlannedMap> maps;           ///< as planMaps has them, boxes in the world
 };
 
-/// Every receiver has a mesh.
-Plan planOf(const Scene& scene);
+/// Every receiver has a mesh. `before`: of any plan; what a mesh alone decides is taken from those of the
+/// same mesh, and comes out the same.
+Plan planOf(const Scene& scene, std::span<const PlannedReceiver> before = {});
 
 } // namespace limpid

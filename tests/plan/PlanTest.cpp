@@ -77,6 +77,22 @@ TEST(Plan, doesNotDependOnHowCausticsAreComputed) {
         EXPECT_EQ(before.maps[i].box.corner, after.maps[i].box.corner);
 }
 
+TEST(Plan, takesFromOneBeforeWhatMeshesDecide) {
+    Scene scene = pond();
+    const Plan before = planOf(scene);
+    for (Receiver& receiver : scene.receivers)
+        receiver.translation.x += 0.1;
+    scene.receivers[0].scale.x = -1; // mirrored: no solid, though the mesh is what it was
+    const Plan anew = planOf(scene), after = planOf(scene, before.receivers);
+    EXPECT_EQ(anew.maps, after.maps);
+    ASSERT_EQ(anew.receivers.size(), after.receivers.size());
+    for (std::size_t i = 0; i < anew.receivers.size(); ++i) {
+        EXPECT_EQ(anew.receivers[i].closed, after.receivers[i].closed);
+        EXPECT_EQ(anew.receivers[i].solid, after.receivers[i].solid);
+    }
+    EXPECT_FALSE(after.receivers[0].solid);
+}
+
 TEST(Plan, countsFarScenesFromTheirMiddle) {
     Scene scene = pond();
     for (Receiver& receiver : scene.receivers)
