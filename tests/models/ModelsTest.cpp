@@ -76,7 +76,7 @@ const ModelCase models[] = {
 };
 
 fs::path committed(const std::string& name) {
-    return fs::path{test::rootFolder()} / "models" / (name + ".glb");
+    return fs::path{limpid::test::rootFolder()} / "models" / (name + ".glb");
 }
 
 std::string contents(const fs::path& path) {
@@ -141,10 +141,10 @@ class Models : public testing::TestWithParam<ModelCase> {};
 class Receivers : public Models {};
 
 TEST_P(Models, areWhatTheGeneratorWrites) {
-    const fs::path folder = fs::path{test::buildFolder()} / "tests" / ("models-" + GetParam().name);
+    const fs::path folder = fs::path{limpid::test::buildFolder()} / "tests" / ("models-" + GetParam().name);
     fs::remove_all(folder);
     const std::string command =
-        "\"" + test::buildFolder() + "/limpid-make-models\" \"" + folder.string() + "\" " + GetParam().name;
+        "\"" + limpid::test::buildFolder() + "/limpid-make-models\" \"" + folder.string() + "\" " + GetParam().name;
     ASSERT_EQ(std::system(command.c_str()), 0) << command;
     const std::string made = contents(folder / (GetParam().name + ".glb"));
     EXPECT_FALSE(made.empty());
