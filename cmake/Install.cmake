@@ -50,6 +50,12 @@ install(FILES shaders/limpid/limpid_caustics.glsl DESTINATION ${LIMPID_SHADER_DI
 
 file(RELATIVE_PATH LIMPID_PC_PREFIX /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
 string(REGEX REPLACE "/$" "" LIMPID_PC_PREFIX ${LIMPID_PC_PREFIX})
+if(LIMPID_IMAGES STREQUAL "lite")
+  set(LIMPID_PC_IMAGES "stb zlib")
+  set(LIMPID_PC_IMAGE_LIBS " -ltinyexr")
+else()
+  set(LIMPID_PC_IMAGES OpenImageIO)
+endif()
 foreach(package limpid limpid-io)
   configure_file(cmake/${package}.pc.in ${CMAKE_BINARY_DIR}/generated/${package}.pc @ONLY)
   install(FILES ${CMAKE_BINARY_DIR}/generated/${package}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)

@@ -20,7 +20,7 @@ using test::Result;
 using test::run;
 
 std::string models(const char* name) {
-    return std::string(LIMPID_ROOT) + "/models/" + name;
+    return test::rootFolder() + "/models/" + name;
 }
 const std::string quick = " --set water.grid=[32,32] --map-size 64 --planes 5";
 

@@ -21,7 +21,7 @@ using ::testing::HasSubstr;
 namespace fs = std::filesystem;
 
 const std::string quick = " --quiet --set water.grid=[16,16] --map-size 48 --planes 3";
-const std::string box = std::string(LIMPID_ROOT) + "/models/box.glb";
+const std::string box = test::rootFolder() + "/models/box.glb";
 
 /// Every file below `folder` and what is in it, hidden ones left out.
 std::map<std::string, std::string> contents(const fs::path& folder) {
@@ -171,7 +171,8 @@ TEST_F(FaultsGLTest, noRoomOnTheGpuIsThree) {
 
 TEST_F(FaultsGLTest, aLostContextIsThree) {
     const auto lost = [](int after) {
-        return fmt::format("LD_PRELOAD={} LOST_AFTER={}", LOST_CONTEXT, after);
+        return fmt::format("LD_PRELOAD={} LOST_AFTER={}", test::buildFolder() + "/tests/" LOST_CONTEXT,
+                           after);
     };
     const std::string line = "OpenGL: expected the GPU to stay, found it reset by another program";
     expectOneLine(run("render " + box + " --size 16x9 -o " + path("a.png") + quick, lost(0)), 3, line);
@@ -194,7 +195,7 @@ TEST_F(FaultsGLTest, aLostContextIsThree) {
 }
 
 TEST_F(FaultsGLTest, aShaderThatDoesNotCompileIsThree) {
-    fs::copy(std::string(LIMPID_ROOT) + "/shaders", path("shaders"), fs::copy_options::recursive);
+    fs::copy(test::rootFolder() + "/shaders", path("shaders"), fs::copy_options::recursive);
     std::ofstream(path("shaders/water/beams.comp"), std::ios::app) << "\nnonsense;\n";
     const Result result =
         run("bake " + box + " -o " + path("maps") + quick, "LIMPID_SHADERS=" + path("shaders"));

@@ -23,7 +23,7 @@ namespace {
 using test::run;
 namespace fs = std::filesystem;
 
-const std::string box = std::string(LIMPID_ROOT) + "/models/box.glb";
+const std::string box = test::rootFolder() + "/models/box.glb";
 
 /// Every file and folder below `folder`, and what is in the files.
 std::map<std::string, std::vector<std::uint8_t>> contents(const fs::path& folder) {
@@ -40,7 +40,7 @@ class KilledGLTest : public testing::TestWithParam<int> {
 
     /// Starts the program and sends it the signal as soon as `midst`, which is given its number, is so.
     void expectDies(const std::string& arguments, const std::function<bool(pid_t)>& midst) {
-        const std::string command = fmt::format("exec {}/limpid {}", LIMPID_BUILD, arguments);
+        const std::string command = fmt::format("exec {}/limpid {}", test::buildFolder(), arguments);
         const char* words[] = {"sh", "-c", command.c_str(), nullptr};
         posix_spawn_file_actions_t actions;
         posix_spawn_file_actions_init(&actions);

@@ -86,7 +86,7 @@ TEST_F(ProfileCommandGLTest, aRunThatIsStoppedLeavesWhatItMeasured) {
     const std::string all =
         fmt::format("profile {} -o {} --quiet --frames 100000", path("tiny.toml"), path("out"));
     // Seconds of them go into shaders, which no cache has yet.
-    const std::string command = fmt::format("timeout 20 {}/limpid {} 2>&1", LIMPID_BUILD, all);
+    const std::string command = fmt::format("timeout 20 {}/limpid {} 2>&1", test::buildFolder(), all);
     EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 124);
     const Json kept = results();
     // How many of the twelve it came to is the machine's affair.
@@ -212,7 +212,7 @@ TEST_F(ProfileCommandGLTest, measuresGodraysAgainstSingleScattering) {
 
 TEST_F(ProfileCommandGLTest, doesWithoutGnuplotAndTakesModels) {
     const Result ran = run("profile " + path("tiny.toml") + " -o " + path("out") + " --frames 1 --receiver " +
-                               LIMPID_ROOT + "/models/box.glb",
+                               test::rootFolder() + "/models/box.glb",
                            "PATH=/nonexistent");
     ASSERT_EQ(ran.code, 0) << ran.out;
     EXPECT_THAT(ran.out, HasSubstr("limpid: warning: expected gnuplot to draw plots with, found none"));

@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <sys/wait.h>
 
+#include "Folders.h"
+
 namespace limpid::test {
 
 struct Result {
@@ -14,7 +16,7 @@ struct Result {
 
 /// Runs the program as a shell would.
 inline Result run(const std::string& arguments, const std::string& environment = "") {
-    const std::string command = fmt::format("{} {}/limpid {} 2>&1", environment, LIMPID_BUILD, arguments);
+    const std::string command = fmt::format("{} {}/limpid {} 2>&1", environment, buildFolder(), arguments);
     Result result;
     FILE* pipe = popen(command.c_str(), "r");
     if (!pipe) return result;

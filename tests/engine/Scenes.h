@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "Folders.h"
 #include "io/gltf/Gltf.h"
 #include "scene/Scene.h"
 #include "scene/Shapes.h"
@@ -40,7 +41,8 @@ inline Receiver floorAt(double y, double size = 2) {
 }
 
 inline Receiver model(const char* name, double y) {
-    Mesh mesh = io::loadGltf(std::filesystem::path(LIMPID_ROOT) / "models" / (std::string(name) + ".glb"));
+    Mesh mesh =
+        io::loadGltf(std::filesystem::path(test::rootFolder()) / "models" / (std::string(name) + ".glb"));
     return shape(name, std::move(mesh), {0, y, 0});
 }
 

@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 #include <gmock/gmock.h>
 
+#include "Folders.h"
 #include "gl/ShaderLibrary.h"
 #include "gl/ShaderVariants.h"
 #include "io/TempFolder.h"
@@ -21,7 +22,8 @@ constexpr const char* drawing = R"re("([\w./]+\.(?:vert|tesc|tese|geom|frag))")r
 /// Text of all C++ sources of the library and its programs.
 std::string sources() {
     std::ostringstream all;
-    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(fs::path(LIMPID_ROOT) / "src"))
+    for (const fs::directory_entry& entry :
+         fs::recursive_directory_iterator(fs::path(test::rootFolder()) / "src"))
         if (entry.path().extension() == ".cpp") all << std::ifstream(entry.path()).rdbuf();
     return all.str();
 }

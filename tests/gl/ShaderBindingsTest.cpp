@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include "Folders.h"
 #include "gl/Bindings.h"
 #include "gl/Context.h"
 #include "gl/ShaderLibrary.h"
@@ -30,7 +31,7 @@ std::string textOf(const fs::path& path) {
 std::vector<std::string> linesWith(const char* folder, const std::string& expression) {
     const std::regex regex(expression);
     std::vector<std::string> found;
-    for (const auto& entry : fs::recursive_directory_iterator(fs::path(LIMPID_ROOT) / folder)) {
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(test::rootFolder()) / folder)) {
         if (!entry.is_regular_file()) continue;
         std::ifstream file(entry.path());
         for (std::string line; std::getline(file, line);)
@@ -41,7 +42,7 @@ std::vector<std::string> linesWith(const char* folder, const std::string& expres
 }
 
 std::map<std::string, int> numbers() {
-    const std::string text = textOf(fs::path(LIMPID_ROOT) / "shaders/interface/bindings.glsl");
+    const std::string text = textOf(fs::path(test::rootFolder()) / "shaders/interface/bindings.glsl");
     const std::regex constant(R"(const int (\w+) = (\d+);)");
     std::map<std::string, int> found;
     for (std::sregex_iterator at(text.begin(), text.end(), constant), end; at != end; ++at)

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "Folders.h"
 #include "core/Optics.h"
 #include "images/PictureFixture.h"
 #include "io/images/Images.h"
@@ -146,12 +147,12 @@ TEST_F(PictureTest, skippingChangesNoPixel) {
 /// The default scene against a picture that was looked at. Rasterisers may place an edge one sample apart, so
 /// the share of pixels that are visibly off is bounded, not each pixel.
 TEST_F(PictureTest, theDefaultSceneLooksAsItDid) {
-    const std::filesystem::path root = LIMPID_ROOT;
+    const std::filesystem::path root = test::rootFolder();
     Scene scene = io::loadScene(root / "profiles/scenes/teapot.toml",
                                 {{"caustics.map_size", "256"}, {"water.grid", "[96, 96]"}});
     const Picture picture = render(scene, {240, 135});
     const auto shown = toneMapped(picture, scene.camera.exposure);
-    const auto mine = std::filesystem::path(LIMPID_BUILD) / "picture-test-teapot.png";
+    const auto mine = std::filesystem::path(test::buildFolder()) / "picture-test-teapot.png";
     io::writePng(mine, picture.size.x, picture.size.y, shown);
     const io::FloatImage golden = io::readImage(root / "tests/images/golden/teapot.png");
     ASSERT_EQ(golden.width, picture.size.x);

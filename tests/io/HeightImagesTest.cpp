@@ -3,10 +3,10 @@
 #include <cmath>
 #include <limits>
 
-#include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "io/StoredPng.h"
 #include "io/TempFolder.h"
 #include "io/images/Images.h"
 #include "io/toml/SceneFile.h"
@@ -56,25 +56,13 @@ TEST_F(HeightImagesTest, floatingPointIsTakenAsItIs) {
     EXPECT_LT(source->bounds().highest, 2.5 * 1.7);
 }
 
-/// The first of four channels at a constant level, alpha at half of its range.
-template <typename T>
-void writeIntegers(const std::filesystem::path& file, OIIO::TypeDesc type, T level) {
-    OIIO::ImageSpec spec(40, 40, 4, type);
-    std::vector<T> data(40 * 40 * 4, T(std::numeric_limits<T>::max() / 2));
-    for (std::size_t i = 0; i < data.size(); i += 4)
-        data[i] = level;
-    const auto output = OIIO::ImageOutput::create(file.string());
-    spec.attribute("oiio:UnassociatedAlpha", 1);
-    ASSERT_TRUE(output && output->open(file.string(), spec) && output->write_image(type, data.data()));
-    ASSERT_TRUE(output->close());
-}
-
 TEST_F(HeightImagesTest, integersRunFromMinusOneToOneAndAlphaIsLeftOut) {
     const auto heightOf = [&](const char* name) {
         return middle(*openHeightImages(folder.path() / name, {0, 0})->frame(0));
     };
-    writeIntegers<std::uint8_t>(folder.path() / "8.png", OIIO::TypeUInt8, 204);
-    writeIntegers<std::uint16_t>(folder.path() / "16.png", OIIO::TypeUInt16, 13107);
+    // Four channels, the first constant, alpha at half of its range.
+    folder.write("8.png", test::storedPng(40, 8, {204, 127, 127, 127}));
+    folder.write("16.png", test::storedPng(40, 16, {13107, 32767, 32767, 32767}));
     EXPECT_NEAR(heightOf("8.png"), 2 * 0.8 - 1, 1e-5);
     EXPECT_NEAR(heightOf("16.png"), 2 * 0.2 - 1, 1e-5);
 }

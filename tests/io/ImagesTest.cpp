@@ -169,6 +169,23 @@ TEST(ReadTest, TheLibraryOfABrokenPictureIsSilent) {
     EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
+#ifdef LIMPID_IMAGES_LITE
+TEST(ReadTest, WhatTheBuildLacksIsRefusedByName) {
+    const TempFolder folder;
+    const auto read = [&](const char* name) {
+        return errorOf(folder, [&] { readImage(folder.path() / name); });
+    };
+    folder.write("a.tif", std::string("II*\0\x08\0\0\0", 8));
+    folder.write("tiles.exr", std::string("v/1\x01\x02\x02\0\0", 8) + std::string(64, '\0'));
+    EXPECT_EQ(read("a.tif"),
+              "a.tif: cannot read: this build reads only PNG, OpenEXR, JPEG, BMP, TGA, GIF, PSD, HDR and "
+              "PNM: built with LIMPID_IMAGES=lite");
+    EXPECT_EQ(read("tiles.exr"),
+              "tiles.exr: cannot read: this build reads OpenEXR of one part in scan lines only: built "
+              "with LIMPID_IMAGES=lite");
+}
+#endif
+
 TEST(OneLineTest, JoinsAndCuts) {
     EXPECT_EQ(oneLine(" a\n\n b\t"), "a b");
     EXPECT_EQ(oneLine("abcdef", 3), "abc…");

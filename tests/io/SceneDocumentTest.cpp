@@ -1,6 +1,7 @@
 // A changed scene, written and read again, is the changed scene; what did not change stays as its author
 // wrote it.
 #include "io/toml/SceneDocument.h"
+#include "Folders.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -272,7 +273,7 @@ TEST(SceneDocument, tablesOfOneLineAreWrittenAnew) {
 
 TEST(SceneDocument, aModelAloneBecomesAScene) {
     const TempFolder folder;
-    const SceneDocument document(std::filesystem::path(LIMPID_ROOT) / "models/sphere.glb",
+    const SceneDocument document(std::filesystem::path(test::rootFolder()) / "models/sphere.glb",
                                  {{"water.level", "2"}});
     Scene changed = document.scene();
     changed.camera.position = {1, 3, 3};
@@ -300,7 +301,7 @@ TEST(SceneDocument, whatIsLeftOutOfAModelStaysOut) {
 
 TEST(SceneDocument, filesAreFoundFromElsewhere) {
     const TempFolder folder, elsewhere;
-    std::filesystem::copy(std::filesystem::path(LIMPID_ROOT) / "models/sphere.glb",
+    std::filesystem::copy(std::filesystem::path(test::rootFolder()) / "models/sphere.glb",
                           folder.path() / "ball.glb");
     const SceneDocument document(folder.write("scene.toml", "[[receiver]] # here\ngltf = \"ball.glb\"\n"));
     std::string text;

@@ -9,6 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "Folders.h"
 #include "io/SmallGltf.h"
 #include "io/TempFolder.h"
 #include "io/toml/SceneFile.h"
@@ -243,7 +244,7 @@ other methods rests.
 }
 
 void expectPage(const char* name, const std::string& page) {
-    const std::filesystem::path file = std::filesystem::path(LIMPID_ROOT) / name;
+    const std::filesystem::path file = std::filesystem::path(test::rootFolder()) / name;
     if (std::getenv("LIMPID_WRITE")) std::ofstream(file) << page;
     std::stringstream committed;
     committed << std::ifstream(file).rdbuf();

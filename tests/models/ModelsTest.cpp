@@ -1,6 +1,7 @@
 // The committed models are what the generator writes, and they are sound: right counts, closed where the
 // README says so, one metre long, standing on y = 0.
 
+#include "Folders.h"
 #include "io/gltf/Gltf.h"
 #include "plan/Facings.h"
 
@@ -75,7 +76,7 @@ const ModelCase models[] = {
 };
 
 fs::path committed(const std::string& name) {
-    return fs::path{LIMPID_ROOT} / "models" / (name + ".glb");
+    return fs::path{limpid::test::rootFolder()} / "models" / (name + ".glb");
 }
 
 std::string contents(const fs::path& path) {
@@ -140,10 +141,10 @@ class Models : public testing::TestWithParam<ModelCase> {};
 class Receivers : public Models {};
 
 TEST_P(Models, areWhatTheGeneratorWrites) {
-    const fs::path folder = fs::path{LIMPID_BUILD} / "tests" / ("models-" + GetParam().name);
+    const fs::path folder = fs::path{limpid::test::buildFolder()} / "tests" / ("models-" + GetParam().name);
     fs::remove_all(folder);
     const std::string command =
-        "\"" LIMPID_BUILD "/limpid-make-models\" \"" + folder.string() + "\" " + GetParam().name;
+        "\"" + limpid::test::buildFolder() + "/limpid-make-models\" \"" + folder.string() + "\" " + GetParam().name;
     ASSERT_EQ(std::system(command.c_str()), 0) << command;
     const std::string made = contents(folder / (GetParam().name + ".glb"));
     EXPECT_FALSE(made.empty());

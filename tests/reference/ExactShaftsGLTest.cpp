@@ -1,5 +1,6 @@
 #include "godrays/ExactShafts.h"
 
+#include "Folders.h"
 #include "io/toml/SceneFile.h"
 #include "reference/GodraysFixture.h"
 
@@ -35,7 +36,7 @@ TEST_F(ExactShaftsGLTest, leaveTheShadeDark) {
 
 // The project's own bar, on its tank scene.
 TEST_F(ExactShaftsGLTest, areWithinFivePercentOnTheTank) {
-    Scene scene = io::loadScene(LIMPID_ROOT "/profiles/scenes/tank.toml");
+    Scene scene = io::loadScene(test::rootFolder() + "/profiles/scenes/tank.toml");
     scene.godrays = GodraySettings{};
     scene.godrays.method = GodrayMethod::ExactShafts;
     scene.godrays.scale = 1;

@@ -2,6 +2,7 @@
 
 #include <numeric>
 
+#include "Folders.h"
 #include "io/toml/SceneFile.h"
 #include "reference/GodraysFixture.h"
 #include "reference/Refraction.h"
@@ -107,7 +108,7 @@ TEST_F(TetrahedraGLTest, leaveTheShadeDark) {
 
 // The project's own bar, on its tank scene.
 TEST_F(TetrahedraGLTest, areWithinFivePercentOnTheTank) {
-    Scene scene = io::loadScene(LIMPID_ROOT "/profiles/scenes/tank.toml");
+    Scene scene = io::loadScene(test::rootFolder() + "/profiles/scenes/tank.toml");
     scene.godrays = GodraySettings{};
     scene.godrays.method = GodrayMethod::Tetrahedra;
     scene.godrays.scale = 1;

@@ -1,5 +1,6 @@
 // Which meshes hold water, and up to where.
 #include "scene/Basin.h"
+#include "Folders.h"
 
 #include <cmath>
 #include <filesystem>
@@ -143,7 +144,7 @@ TEST(Basin, IsNotFoundWhereWaterRunsOff) {
 
 TEST(Basin, IsNoneOfOurModels) {
     int models = 0;
-    for (const auto& entry : std::filesystem::directory_iterator(LIMPID_ROOT "/models"))
+    for (const auto& entry : std::filesystem::directory_iterator(test::rootFolder() + "/models"))
         if (entry.path().extension() == ".glb") {
             ++models;
             EXPECT_FALSE(findBasin(io::loadModel(entry.path()).mesh)) << entry.path().filename();

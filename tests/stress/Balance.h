@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "Folders.h"
 #include "io/toml/ProfileFile.h"
 #include "stress/StressFixture.h"
 
@@ -58,7 +59,7 @@ struct NamedScene {
 
 /// As they are, or with maps and planes `coarser` times as coarse, and water of no more than `grid`² quads.
 inline std::vector<NamedScene> stressScenes(int coarser, int grid) {
-    const auto profile = io::loadProfile(std::filesystem::path(LIMPID_ROOT) / "profiles/stress.toml");
+    const auto profile = io::loadProfile(std::filesystem::path(test::rootFolder()) / "profiles/stress.toml");
     std::vector<NamedScene> scenes;
     for (const auto& file : profile.scenes) {
         Scene scene = io::loadScene(file);

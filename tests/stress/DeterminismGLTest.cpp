@@ -48,7 +48,7 @@ TEST_F(DeterminismGLTest, everyMethodTwiceAndAfterOtherWork) {
 
 TEST_F(DeterminismGLTest, theSameCommandTwice) {
     const test::TempFolder folder;
-    const std::string scene = std::string(LIMPID_ROOT) + "/profiles/scenes/stress/objects.toml";
+    const std::string scene = test::rootFolder() + "/profiles/scenes/stress/objects.toml";
     for (const char* name : {"one", "two"}) {
         const std::string quick =
             " --quiet --set water.grid=[48,48] --map-size 64 -o " + (folder.path() / name).string();

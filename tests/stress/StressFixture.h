@@ -2,6 +2,7 @@
 #include <cmath>
 #include <string>
 
+#include "Folders.h"
 #include "engine/EngineFixture.h"
 #include "io/toml/SceneFile.h"
 
@@ -14,7 +15,8 @@ class StressTest : public EngineGLTest {
 
     static Scene stressScene(const std::string& name, int grid = 96, int mapSize = 128) {
         const std::string cells = std::to_string(grid);
-        return io::loadScene(std::filesystem::path(LIMPID_ROOT) / "profiles/scenes/stress" / (name + ".toml"),
+        return io::loadScene(std::filesystem::path(test::rootFolder()) / "profiles/scenes/stress" /
+                                 (name + ".toml"),
                              {{"water.grid", "[" + cells + ", " + cells + "]"},
                               {"caustics.map_size", std::to_string(mapSize)},
                               {"caustics.planes", "8"}});

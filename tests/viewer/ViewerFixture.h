@@ -61,8 +61,13 @@ class ViewerFixture : public ::testing::Test {
 
     void open(const std::string& input, std::vector<std::string> more = {}) {
         ASSERT_FALSE(display.name().empty()) << "Xvfb did not start: install what tools/packages lists";
-        std::vector<std::string> words = {LIMPID_BUILD "/limpid", "view", "--verbose", "--size", "448x336",
-                                          "--interface-scale",    "0.7"};
+        std::vector<std::string> words = {test::buildFolder() + "/limpid",
+                                          "view",
+                                          "--verbose",
+                                          "--size",
+                                          "448x336",
+                                          "--interface-scale",
+                                          "0.7"};
         if (!input.empty()) words.push_back(input);
         words.insert(words.end(), more.begin(), more.end());
         _seen = 0;

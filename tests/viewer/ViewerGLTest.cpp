@@ -1,3 +1,4 @@
+#include "Folders.h"
 #include "viewer/Drop.h"
 #include "viewer/ViewerFixture.h"
 
@@ -131,7 +132,7 @@ TEST_F(ViewerGLTest, twoMethodsStandSideBySide) {
 
 TEST_F(ViewerGLTest, shadersReloadAndABrokenOneIsTold) {
     const fs::path shaders = folder.path() / "shaders", file = shaders / "viewer/show.frag";
-    fs::copy(LIMPID_ROOT "/shaders", shaders, fs::copy_options::recursive);
+    fs::copy(test::rootFolder() + "/shaders", shaders, fs::copy_options::recursive);
     environment["LIMPID_SHADERS"] = shaders.string();
     openPond();
     const auto write = [&](const std::string& text) {
@@ -147,7 +148,7 @@ TEST_F(ViewerGLTest, shadersReloadAndABrokenOneIsTold) {
     write(green + "oops");
     EXPECT_TRUE(until([&] { return isRed(); }));
     EXPECT_TRUE(isGreen());
-    std::ifstream whole(LIMPID_ROOT "/shaders/viewer/show.frag");
+    std::ifstream whole(test::rootFolder() + "/shaders/viewer/show.frag");
     write({std::istreambuf_iterator<char>(whole), {}});
     EXPECT_TRUE(until([&] { return changed(first, screen(), {205, 60}, {445, 315}) == 0; }));
 }
@@ -183,7 +184,8 @@ TEST_F(ViewerGLTest, screenshotTakesTheWindowAndLeaves) {
 }
 
 TEST(ViewerWithoutDisplay, leavesWithOneLine) {
-    const Result result = run("view " LIMPID_ROOT "/models/teapot.glb", "env -u DISPLAY -u WAYLAND_DISPLAY");
+    const Result result =
+        run("view " + test::rootFolder() + "/models/teapot.glb", "env -u DISPLAY -u WAYLAND_DISPLAY");
     EXPECT_EQ(result.code, 3);
     EXPECT_TRUE(result.out.starts_with("limpid: no display to open a window on")) << result.out;
     EXPECT_EQ(std::count(result.out.begin(), result.out.end(), '\n'), 1) << result.out;

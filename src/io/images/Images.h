@@ -52,7 +52,8 @@ struct Channel {
 /// cannot be read, or is of another size.
 Channel readFirstChannel(const std::filesystem::path& file, int minSide, int maxSide);
 
-/// Reads the first picture of any file that OpenImageIO knows. Throws InputError if it cannot be read.
+/// Reads the first picture of any file that OpenImageIO knows; built with LIMPID_IMAGES=lite, of PNG, OpenEXR
+/// and the few formats that stb knows. Throws InputError if it cannot be read.
 FloatImage readImage(const std::filesystem::path& file);
 
 } // namespace limpid::io
