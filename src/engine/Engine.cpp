@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/Error.h"
 #include "engine/Limits.h"
 #include "gl/Guard.h"
 #include "plan/Framing.h"
@@ -58,20 +59,30 @@ void Engine::requireScene(const Scene& scene, const gl::Context& context) {
     requirePlanes(scene.caustics, context.info());
 }
 
+void Engine::forgetAll() {
+    _lights.forget();
+    _maps.forget();
+    _water.forget();
+    _pictures.forget();
+}
+
 /// All that a public call draws: in a state of its own, and with nothing half-made where it fails. Then
-/// nothing is kept: what is left on the GPU may be what there was no room for.
+/// nothing is kept: what is left on the GPU may be what there was no room for. If that were the targets of
+/// the picture before, there is another try without them.
 template <typename Work>
 auto Engine::whole(Work&& work) {
     const gl::Guard guard(_context);
+    const bool holdsTargets = _pictures.holdsTargets();
     try {
         return work();
+    } catch (const GraphicsError&) {
+        forgetAll();
+        if (!holdsTargets) throw;
     } catch (...) {
-        _lights.forget();
-        _maps.forget();
-        _water.forget();
-        _pictures.forget();
+        forgetAll();
         throw;
     }
+    return whole(work);
 }
 
 void Engine::set(Scene scene) {

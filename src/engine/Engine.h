@@ -76,6 +76,7 @@ class Engine {
     gl::PassTimers& timers() { return _timers; }
 
   private:
+    void forgetAll();
     template <typename Work>
     auto whole(Work&& work);
     Frame frame();

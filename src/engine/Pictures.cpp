@@ -29,6 +29,10 @@ Pictures::Pictures(gl::Context& context) : _context(context), _passes(std::make_
 
 Pictures::~Pictures() = default;
 
+bool Pictures::holdsTargets() const {
+    return _passes->picture && _passes->picture->holdsTargets();
+}
+
 void Pictures::forget() {
     if (_passes->picture) _passes->picture->forget();
 }

@@ -35,7 +35,8 @@ class Pictures {
                               PicturePass::Sketch used);
     void drawRows(const Frame& frame, const Subject& subject, const PicturePass::Sketch& sketch,
                   glm::ivec2 rows);
-    /// No targets of a picture stay on the GPU.
+    /// Whether targets of the last picture are on the GPU; and none stays there.
+    bool holdsTargets() const;
     void forget();
 
   private:

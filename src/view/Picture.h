@@ -68,6 +68,7 @@ class PicturePass {
     Picture draw(const Inputs& inputs, glm::ivec2 size);
     /// The same in 8-bit sRGB (view/PictureResolve.h) by the camera's exposure.
     std::vector<std::uint8_t> drawToneMapped(const Inputs& inputs, glm::ivec2 size);
+    bool holdsTargets() const { return _drawn._target.id() != 0; }
     /// Gives back the memory of those targets.
     void forget() { _drawn = {}, _resolve.forget(); }
 

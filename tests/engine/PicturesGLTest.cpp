@@ -113,6 +113,37 @@ TEST_F(PicturesGLTest, targetsStayForThePictureOfThatSize) {
     EXPECT_EQ(context().ledger().total(), before);
 }
 
+/// What a picture needs at most, it needs at any time, whatever there was before.
+TEST_F(PicturesGLTest, targetsMakeRoomForMaps) {
+    Scene scene = pond();
+    scene.caustics.mapSize = 256;
+    gl::Ledger& ledger = context().ledger();
+    const std::int64_t before = ledger.total();
+    ledger.resetPeak();
+    std::vector<float> expected;
+    {
+        Engine fresh(context());
+        fresh.set(scene);
+        expected = fresh.render(0.3, {96, 64}).rgb;
+    }
+    const std::int64_t needed = ledger.peak() - before;
+    {
+        Engine engine(context());
+        engine.setReuse(false);
+        engine.set(scene);
+        engine.render(0, {96, 64});
+        ledger.resetPeak();
+        engine.render(0.1, {96, 64});
+        EXPECT_GT(ledger.peak() - before, needed) << "or this tests nothing";
+        ledger.setLimit(before + needed);
+        engine.freePicture();
+        EXPECT_NO_THROW(engine.render(0.2, {96, 64}));
+        EXPECT_NO_THROW(EXPECT_EQ(engine.render(0.3, {96, 64}).rgb, expected));
+        ledger.setLimit(0);
+    }
+    EXPECT_EQ(ledger.total(), before);
+}
+
 TEST_F(PicturesGLTest, aSketchThatServedGivesItsTargetsToTheNext) {
     Engine engine(context());
     engine.set(pond());
