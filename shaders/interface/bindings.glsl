@@ -213,4 +213,5 @@ const int wayLocation = 107;
 const int whiteLocation = 108;
 const int withAmbientLocation = 109;
 const int withCausticsLocation = 110;
-const int uniformCount = 111;
+const int horizonLocation = 111;
+const int uniformCount = 112;

@@ -46,8 +46,7 @@ void PicturePass::Sketch::View::clear() const {
     target.clearDepth(0);
 }
 
-PicturePass::PicturePass(gl::Context& context)
-    : _context(context), _receivers(context), _water(context), _resolve(context) {}
+PicturePass::PicturePass(gl::Context& context) : _context(context), _receivers(context), _resolve(context) {}
 
 int PicturePass::largestSide(const gl::Context& context) {
     return int(context.info().maxTextureSize / (supersampling * (1 + viewMargin)));

@@ -99,9 +99,11 @@ TEST_F(PicturesGLTest, targetsStayForThePictureOfThatSize) {
         const std::int64_t held = context().ledger().total();
         Calls<epoxy_glCreateTextures> textures;
         Calls<epoxy_glCreateFramebuffers> framebuffers;
+        Calls<epoxy_glCreateBuffers> buffers;
         EXPECT_EQ(engine.render(0, size).rgb, first.rgb);
         EXPECT_EQ(textures.made(), 0);
         EXPECT_EQ(framebuffers.made(), 0);
+        EXPECT_EQ(buffers.made(), 0);
         context().ledger().resetPeak();
         engine.render(0, size + 1);
         EXPECT_GT(textures.made(), 0);
