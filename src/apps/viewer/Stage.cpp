@@ -130,12 +130,11 @@ void Stage::drawAtOnce() {
     const std::size_t step = _pictureLadder.step();
     const auto begin = Clock::now();
     const glm::ivec2 size = sizeAt(_wanted.size, step);
-    std::vector<PicturePass::Sketch> used = std::exchange(_sketches, {});
-    used.resize(_engines.size());
+    _sketches.clear();
     for (std::size_t i = 0; i < _engines.size(); ++i) {
         Engine& engine = *_engines[i];
         engine.set(sceneOf(i, _mapStep));
-        _sketches.push_back(engine.beginPicture(size, pictureWork[step].perPixel, std::move(used[i])));
+        _sketches.push_back(engine.beginPicture(size, pictureWork[step].perPixel));
         engine.drawRows(_sketches.back(), {0, size.y});
     }
     showSketches();
