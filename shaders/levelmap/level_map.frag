@@ -11,10 +11,11 @@ layout(location = diffuseTarget) out vec4 outDiffuse;
 layout(location = normalTarget) out vec2 outNormal;
 
 void main() {
+    vec3 color = baseColor().rgb;
     if (!isInMap()) discard;
     vec3 normal = texelNormal();
     float depth = texelDepth(), lit = texelLight(normal);
     outPosition = vec2(depth, float(texelPlane(depth, lit)));
-    outDiffuse = vec4(baseColor().rgb, lit);
+    outDiffuse = vec4(color, lit);
     outNormal = octahedralEncode(normal);
 }

@@ -21,7 +21,10 @@ float texelVisibility(vec3 point, vec3 normal) {
 }
 
 // Whether there is surface here that the map holds.
-bool isInMap() { return fragmentIn.position.y <= waterSurface.x && !isHole() && belongsToMap(fragmentIn.faceNormal); }
+bool isInMap() {
+    bool hole = isHole();
+    return !hole && fragmentIn.position.y <= waterSurface.x && belongsToMap(fragmentIn.faceNormal);
+}
 
 // Depth along the light from the box's near face, m.
 float texelDepth() { return boxLocal(fragmentIn.position).z; }

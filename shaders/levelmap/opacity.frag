@@ -8,8 +8,8 @@ layout(location = blendedLocation) uniform int blended; // 1: alpha is the share
 out vec4 outTaken;
 
 void main() {
-    if (!isInMap()) discard;
     vec4 color = clamp(baseColor(), 0.0, 1.0);
     vec3 through = transmission * texture(transmissionTexture, fragmentIn.uv.xy).r * color.rgb;
+    if (!isInMap()) discard;
     outTaken = vec4((blended != 0 ? color.a : 1.0) * (1.0 - through), 1.0);
 }

@@ -4,6 +4,7 @@
 out float outDistance;
 
 void main() {
-    if (fragmentIn.position.y > waterSurface.x || isHole()) discard;
+    bool hole = isHole();
+    if (hole || fragmentIn.position.y > waterSurface.x) discard;
     outDistance = distance(fragmentIn.position, lightPosition.xyz);
 }

@@ -16,5 +16,7 @@ layout(location = emissionFactorLocation) uniform vec3 emissionFactor; // radian
 
 vec4 baseColor() { return baseColorFactor * fragmentIn.color * texture(baseColorTexture, fragmentIn.uv.xy); }
 
-// Whether this point is a hole in the surface: light, shade and view go through it.
-bool isHole() { return alphaCutoff > 0.0 && baseColor().a < alphaCutoff; }
+// Whether this point is a hole in the surface: light, shade and view go through it. Asked for before anything else may discard
+// a neighbour, since a texture's level comes from how its coordinates change from fragment to fragment.
+bool isHole(vec4 color) { return alphaCutoff > 0.0 && color.a < alphaCutoff; }
+bool isHole() { return alphaCutoff > 0.0 && isHole(baseColor()); }

@@ -10,7 +10,8 @@ layout(location = mapSizeLocation) uniform ivec2 mapSize;
 out vec2 outDepth;
 
 void main() {
-    if (fragmentIn.position.y > waterSurface.x || isHole()) discard;
+    bool hole = isHole();
+    if (hole || fragmentIn.position.y > waterSurface.x) discard;
     vec3 entry = sceneDepthEntry(gl_FragCoord.xy / vec2(mapSize));
     vec3 direction = meanDirection(entry);
     float interpolated = dot(fragmentIn.position - entry, direction);

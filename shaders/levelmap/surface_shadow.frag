@@ -5,6 +5,7 @@ out float outDistance;
 
 void main() {
     vec3 position = fragmentIn.position;
-    if (position.y < waterSurface.x || isHole()) discard;
+    bool hole = isHole();
+    if (hole || position.y < waterSurface.x) discard;
     outDistance = distance(position, straightFoot(position));
 }

@@ -39,8 +39,9 @@ vec3 shadingNormal(vec3 face) {
     vec3 tangent = (acrossX * tx.x + acrossY * ty.x) * orientation;
     vec3 bitangent = (acrossX * tx.y + acrossY * ty.y) * orientation;
     float size = max(dot(tangent, tangent), dot(bitangent, bitangent));
-    if (normalScale == 0.0 || !(size > 0.0)) return normal;
+    if (normalScale == 0.0) return normal;
     vec3 mapped = 2.0 * texture(normalTexture, fragmentIn.uv.zw).xyz - 1.0;
+    if (!(size > 0.0)) return normal;
     // glTF's v runs down the picture, its bitangent up.
     vec3 turned = (tangent * mapped.x - bitangent * mapped.y) * (normalScale / sqrt(size)) + normal * mapped.z;
     return dot(turned, turned) > 0.0 ? normalize(turned) : normal;
@@ -86,18 +87,22 @@ vec3 straightIrradiance(vec3 normal, vec3 face) {
 vec3 emission() { return emissionFactor * texture(emissionTexture, fragmentIn.uv.xy).rgb; }
 
 void main() {
+    // All that is a derivative, or a texture whose level comes of one, before a neighbour may be discarded.
+    vec4 color = baseColor();
+    bool hole = isHole(color);
+    vec3 face = fragmentIn.faceNormal, shading = shadingNormal(face);
+    vec3 emitted = withAmbient != 0 ? emission() : vec3(0.0);
+
     vec3 position = fragmentIn.position;
     vec3 view = seenFrom(position, way) - position;
     // What is looked up next to a waterline must find the object there, so views overlap it by a few texels.
     float overlap = way == straight ? 0.0 : 4.0 * viewWater.w * distance(position, cameraPosition.xyz);
     float over = position.y - waterHeight(position.xz);
-    if (isHole() || (underwater != 0 ? over > overlap : over < -overlap)) discard;
-    vec3 face = fragmentIn.faceNormal;
-    vec3 shading = shadingNormal(face);
+    if (hole || (underwater != 0 ? over > overlap : over < -overlap)) discard;
     float turned = dot(face, view) < 0.0 ? -1.0 : 1.0;
     // A sheet shows what is behind it by what it lets through (scene/Mesh.h, transmittance), in the mean of its colours; what
     // is transmissive of it scatters nothing.
-    vec4 base = blendedSide != 0 ? clamp(baseColor(), 0.0, 1.0) : vec4(baseColor().rgb, 1.0);
+    vec4 base = blendedSide != 0 ? clamp(color, 0.0, 1.0) : vec4(color.rgb, 1.0);
     float through = blendedSide != 0 ? transmission : 0.0;
     vec3 taken = base.a * (1.0 - through * base.rgb);
     float alpha = dot(taken, vec3(1.0 / 3.0));
@@ -118,7 +123,7 @@ void main() {
     if (strength != vec3(0.0)) irradiance += straightIrradiance(turned * shading, face);
     vec3 albedo = base.rgb * (base.a * (1.0 - through) / max(alpha, 1e-3));
     vec3 radiance = albedo / pi * irradiance + (withAmbient != 0 ? albedo * ambientRadiance.rgb : vec3(0.0));
-    vec3 glow = withAmbient != 0 ? base.a * emission() : vec3(0.0);
+    vec3 glow = base.a * emitted;
     if (underwater != 0 && way == straight) {
         vec3 left = extinction(waterExtinction.rgb, length(view));
         radiance = radiance * left + (withAmbient != 0 ? deepRadiance.rgb * (1.0 - left) : vec3(0.0));

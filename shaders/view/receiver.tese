@@ -18,9 +18,11 @@ out VertexData {
 
 void main() {
     vec3 w = gl_TessCoord;
-    vertexOut.position = w.x * controlIn[0].position + w.y * controlIn[1].position + w.z * controlIn[2].position;
+    // Two triangles name an edge's corners in different orders: contracted into a*b+c, their sums would differ and leave gaps.
+    precise vec3 position = w.x * controlIn[0].position + w.y * controlIn[1].position + w.z * controlIn[2].position;
+    vertexOut.position = position;
     vertexOut.normal = w.x * controlIn[0].normal + w.y * controlIn[1].normal + w.z * controlIn[2].normal;
     vertexOut.uv = w.x * controlIn[0].uv + w.y * controlIn[1].uv + w.z * controlIn[2].uv;
     vertexOut.color = w.x * controlIn[0].color + w.y * controlIn[1].color + w.z * controlIn[2].color;
-    gl_Position = viewClip(vertexOut.position, way);
+    gl_Position = viewClip(position, way);
 }

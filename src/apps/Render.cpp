@@ -28,12 +28,12 @@ struct RenderOptions {
     bool overwrite = false;
 };
 
-void write(const std::filesystem::path& file, const Picture& picture, double exposure,
+void write(const std::filesystem::path& file, Engine& engine, double time, glm::ivec2 size,
            const std::string& fingerprint = "") {
     if (io::lowerCaseSuffix(file) == ".exr")
-        io::writeExr(file, picture.size.x, picture.size.y, {"R", "G", "B"}, picture.rgb, fingerprint);
+        io::writeExr(file, size.x, size.y, {"R", "G", "B"}, engine.render(time, size).rgb, fingerprint);
     else
-        io::writePng(file, picture.size.x, picture.size.y, toneMapped(picture, exposure), fingerprint);
+        io::writePng(file, size.x, size.y, engine.renderToneMapped(time, size), fingerprint);
 }
 
 /// Throws InputError unless pictures can be written under that name. Pipes and devices need no suffix.
@@ -52,13 +52,13 @@ std::FILE* reportStream(const RenderOptions& options) {
     return io::outputOf(options.output).isStream() ? stderr : stdout;
 }
 
-void renderVideo(const RenderOptions& options, Engine& engine, glm::ivec2 size, double exposure) {
+void renderVideo(const RenderOptions& options, Engine& engine, glm::ivec2 size) {
     const FrameRange range = parseFrames(options.frames);
     VideoWriter video(options.output, size, options.fps);
     Progress progress("frames", range.count(), !options.common.quiet);
     for (int frame = range.first; frame <= range.last; ++frame) {
         progress.update(frame - range.first);
-        video.add(toneMapped(engine.render(frame / options.fps, size), exposure).data());
+        video.add(engine.renderToneMapped(frame / options.fps, size).data());
     }
     video.finish();
     if (!options.common.quiet)
@@ -77,12 +77,12 @@ std::vector<int> missingFrames(const RenderOptions& options, const FrameSequence
 }
 
 void renderFrames(const RenderOptions& options, Engine& engine, const FrameSequence& sequence,
-                  const std::vector<int>& frames, glm::ivec2 size, double exposure) {
+                  const std::vector<int>& frames, glm::ivec2 size) {
     const int count = parseFrames(options.frames).count(), kept = count - int(frames.size());
     Progress progress("frames", count, !options.common.quiet);
     for (std::size_t i = 0; i < frames.size(); ++i) {
         progress.update(kept + int(i));
-        write(sequence.file(frames[i]), engine.render(frames[i] / options.fps, size), exposure,
+        write(sequence.file(frames[i]), engine, frames[i] / options.fps, size,
               sequence.fingerprint(frames[i]));
     }
     if (options.common.quiet) return;
@@ -98,7 +98,6 @@ void render(const RenderOptions& options) {
     requirePictureName(options.output, sequence);
     if (sequence && !isVideo(options.output)) frameName(options.output, parseFrames(options.frames).first);
     Scene scene = loadScene(options.common);
-    const double exposure = scene.camera.exposure;
     std::optional<FrameSequence> frames; // a video is written anew
     if (sequence && !isVideo(options.output)) frames.emplace(scene, options.output, size, options.fps);
     const std::vector<int> missing = frames ? missingFrames(options, *frames) : std::vector<int>();
@@ -111,14 +110,14 @@ void render(const RenderOptions& options) {
     engine.set(std::move(scene));
     printWarnings(engine, options.common);
     if (frames) {
-        renderFrames(options, engine, *frames, missing, size, exposure);
+        renderFrames(options, engine, *frames, missing, size);
         return;
     }
     if (sequence) {
-        renderVideo(options, engine, size, exposure);
+        renderVideo(options, engine, size);
         return;
     }
-    write(options.output, engine.render(options.time, size), exposure);
+    write(options.output, engine, options.time, size);
     if (!options.common.quiet)
         fmt::print(reportStream(options), "{}: {} x {} pixels\n", options.output, size.x, size.y);
     if (options.common.verbose) printWork(engine, context, reportStream(options));

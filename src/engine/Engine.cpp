@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
+#include "core/Error.h"
 #include "engine/Limits.h"
 #include "gl/Guard.h"
 #include "plan/Framing.h"
@@ -57,19 +59,30 @@ void Engine::requireScene(const Scene& scene, const gl::Context& context) {
     requirePlanes(scene.caustics, context.info());
 }
 
+void Engine::forgetAll() {
+    _lights.forget();
+    _maps.forget();
+    _water.forget();
+    _pictures.forget();
+}
+
 /// All that a public call draws: in a state of its own, and with nothing half-made where it fails. Then
-/// nothing is kept: what is left on the GPU may be what there was no room for.
+/// nothing is kept: what is left on the GPU may be what there was no room for. If that were the targets of
+/// the picture before, there is another try without them.
 template <typename Work>
 auto Engine::whole(Work&& work) {
     const gl::Guard guard(_context);
+    const bool holdsTargets = _pictures.holdsTargets();
     try {
         return work();
+    } catch (const GraphicsError&) {
+        forgetAll();
+        if (!holdsTargets) throw;
     } catch (...) {
-        _lights.forget();
-        _maps.forget();
-        _water.forget();
+        forgetAll();
         throw;
     }
+    return whole(work);
 }
 
 void Engine::set(Scene scene) {
@@ -87,6 +100,7 @@ void Engine::set(Scene scene) {
     if (!_asked || !sameSizes(scene, *_asked)) {
         _lights.forget();
         _maps.forget();
+        _pictures.forget();
     }
     if (scene.caustics.texelsPerPixel <= 0) _maps.makeWhole();
     _asked = scene;
@@ -173,23 +187,10 @@ gl::Texture Engine::coverage(const MapWork& map) {
 std::vector<bool> Engine::makeShown(const Frame& frame, glm::ivec2 size) {
     for (MapWork& map : _maps.all())
         map.halvings = halvingsFor(frame, map, size);
-    std::vector<bool> shown = shownMaps(frame, _lights, _maps, _water.at(_time), size);
+    std::vector<bool> shown = shownMaps(frame, _lights, _maps, _pictures.heightAtCamera(frame, _time), size);
     for (std::size_t i = 0; i < shown.size(); ++i)
         if (shown[i]) makeMap(frame, _maps.all()[i]);
     return shown;
-}
-
-Picture Engine::render(double time, glm::ivec2 size) {
-    return whole([&] {
-        start(causticsTimeOf(_scene.caustics, time), time);
-        const Frame now = frame();
-        makeLights(now);
-        const std::vector<bool> shown = makeShown(now, size);
-        for (std::size_t i = 0; i < shown.size(); ++i)
-            if (const MapWork& map = _maps.all()[i]; !shown[i])
-                ++(isUnlit(map, light(map.plan.light)) ? _skipped.unlitMaps : _skipped.outOfView);
-        return draw(size);
-    });
 }
 
 /// Calls `use` with the frame and what a picture of `size` is drawn of; `goesOn`: one that was begun before.
@@ -204,13 +205,41 @@ auto Engine::picture(glm::ivec2 size, bool goesOn, Use&& use) {
         _skipped.levelMaps = before.levelMaps, _skipped.causticMaps = before.causticMaps;
         for (int light = 0; light < _lights.count(); ++light)
             _lights.drawPointLightShadow(now, light);
+        const double waterHeight = _pictures.heightAtCamera(now, _time);
         const WaterMesh& surface = _water.at(_time);
         if (!goesOn) {
             // That make maps ready to be projected.
             _skipped.unreadPasses += std::count(shown.begin(), shown.end(), false);
-            _pictures.drawGodrays(now, _lights, surface, size);
+            _pictures.drawGodrays(now, _lights, surface, waterHeight, size);
         }
-        return use(now, Pictures::Subject{_lights, _maps, shown, surface});
+        return use(now, Pictures::Subject{_lights, _maps, shown, surface, waterHeight});
+    });
+}
+
+/// What a picture at `time` shows.
+void Engine::makeFor(double time, glm::ivec2 size) {
+    start(causticsTimeOf(_scene.caustics, time), time);
+    const Frame now = frame();
+    makeLights(now);
+    const std::vector<bool> shown = makeShown(now, size);
+    for (std::size_t i = 0; i < shown.size(); ++i)
+        if (const MapWork& map = _maps.all()[i]; !shown[i])
+            ++(isUnlit(map, light(map.plan.light)) ? _skipped.unlitMaps : _skipped.outOfView);
+}
+
+Picture Engine::render(double time, glm::ivec2 size) {
+    return whole([&] {
+        makeFor(time, size);
+        return draw(size);
+    });
+}
+
+std::vector<std::uint8_t> Engine::renderToneMapped(double time, glm::ivec2 size) {
+    return whole([&] {
+        makeFor(time, size);
+        return picture(size, false, [&](const Frame& frame, const Pictures::Subject& subject) {
+            return _pictures.drawToneMapped(frame, subject, size);
+        });
     });
 }
 
@@ -220,9 +249,9 @@ Picture Engine::draw(glm::ivec2 size) {
     });
 }
 
-PicturePass::Sketch Engine::beginPicture(glm::ivec2 size, int perPixel) {
+PicturePass::Sketch Engine::beginPicture(glm::ivec2 size, int perPixel, PicturePass::Sketch used) {
     return picture(size, false, [&](const Frame& frame, const Pictures::Subject& subject) {
-        return _pictures.begin(frame, subject, size, perPixel);
+        return _pictures.begin(frame, subject, size, perPixel, std::move(used));
     });
 }
 

@@ -56,19 +56,27 @@ class Engine {
     Picture draw(glm::ivec2 size);
     /// The same piece by piece and without waiting (view/Picture.h): scene and caustics stay as they are from
     /// one call to the next. A picture has 2 · 2 samples a pixel; fewer are faster.
-    PicturePass::Sketch beginPicture(glm::ivec2 size, int perPixel);
+    /// `used`: one that is shown no longer; it may be another engine's.
+    PicturePass::Sketch beginPicture(glm::ivec2 size, int perPixel, PicturePass::Sketch used = {});
     void drawRows(const PicturePass::Sketch& sketch, glm::ivec2 rows);
     /// updateForPictures for those maps that the picture can show, then draw.
     Picture render(double time, glm::ivec2 size);
+    /// The same in 8-bit sRGB by the camera's exposure: RGB, rows from the top. A quarter of what
+    /// `render` reads back.
+    std::vector<std::uint8_t> renderToneMapped(double time, glm::ivec2 size);
 
     /// Off: all work is done that skipping would save (core/Skipped.h). The result is the same.
     void setSkipping(bool on) { _skipping = _reuse = on; }
     /// Off: every update makes all anew, as if everything had moved.
     void setReuse(bool on) { _reuse = on; }
 
+    /// Gives back the GPU memory that stays for the next picture of the last one's size.
+    void freePicture() { _pictures.forget(); }
+
     gl::PassTimers& timers() { return _timers; }
 
   private:
+    void forgetAll();
     template <typename Work>
     auto whole(Work&& work);
     Frame frame();
@@ -76,6 +84,7 @@ class Engine {
     void makeLights(const Frame& frame);
     void makeAll(const Frame& frame);
     void makeMap(const Frame& frame, MapWork& map);
+    void makeFor(double time, glm::ivec2 size);
     std::vector<bool> makeShown(const Frame& frame, glm::ivec2 size);
     template <typename Use>
     auto picture(glm::ivec2 size, bool goesOn, Use&& use);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/OneOf.h"
 #include "godrays/GodrayMethods.h"
@@ -12,8 +13,8 @@ namespace limpid {
 
 namespace {
 
-ViewFrameData viewOf(const Frame& frame, const WaterMesh& surface, glm::ivec2 size) {
-    return viewFrame(frame.scene, frame.plan.origin, frame.plan.patch, surface, frame.plan.sides, size);
+ViewFrameData viewOf(const Frame& frame, double waterHeight, glm::ivec2 size) {
+    return viewFrame(frame.scene, frame.plan.origin, frame.plan.patch, frame.plan.sides, waterHeight, size);
 }
 
 } // namespace
@@ -28,9 +29,17 @@ Pictures::Pictures(gl::Context& context) : _context(context), _passes(std::make_
 
 Pictures::~Pictures() = default;
 
-std::vector<bool> shownMaps(const Frame& frame, const Lights& lights, const Maps& maps,
-                            const WaterMesh& surface, glm::ivec2 size) {
-    const ViewFrameData view = viewOf(frame, surface, size);
+bool Pictures::holdsTargets() const {
+    return _passes->picture && _passes->picture->holdsTargets();
+}
+
+void Pictures::forget() {
+    if (_passes->picture) _passes->picture->forget();
+}
+
+std::vector<bool> shownMaps(const Frame& frame, const Lights& lights, const Maps& maps, double waterHeight,
+                            glm::ivec2 size) {
+    const ViewFrameData view = viewOf(frame, waterHeight, size);
     std::vector<bool> shown;
     for (const MapWork& map : maps.all())
         shown.push_back(!frame.skipping ||
@@ -54,12 +63,22 @@ int halvingsFor(const Frame& frame, const MapWork& map, glm::ivec2 size) {
     return std::clamp(int(std::floor(std::log2(std::max(spare, 1e-9)))), 0, 16);
 }
 
+double Pictures::heightAtCamera(const Frame& frame, double time) {
+    const StandsIn from{frame.water.moment(time), *frame.scene.camera.position};
+    _stands.bring(frame.making, from, [&] {
+        _waterHeight =
+            limpid::heightAtCamera(frame.scene, frame.plan.origin, frame.plan.patch, frame.water.at(time));
+    });
+    return _waterHeight;
+}
+
 /// None where nothing is scattered, or the camera is above.
-void Pictures::drawGodrays(const Frame& frame, Lights& lights, const WaterMesh& surface, glm::ivec2 size) {
+void Pictures::drawGodrays(const Frame& frame, Lights& lights, const WaterMesh& surface, double waterHeight,
+                           glm::ivec2 size) {
     _godrays = nullptr;
     const GodrayMethod wanted = frame.scene.godrays.method;
     if (wanted == GodrayMethod::None || frame.scene.water.scattering == glm::dvec3(0)) return;
-    const ViewFrameData view = viewOf(frame, surface, size);
+    const ViewFrameData view = viewOf(frame, waterHeight, size);
     if (view.cameraAbove()) return;
     std::vector<SceneDepth> own; // of lights whose maps do without one, and are to go on so
     own.reserve(std::size_t(lights.count()));
@@ -97,9 +116,9 @@ auto Pictures::withInputs(const Frame& frame, const Subject& subject, Use&& use)
         beams.push_back(&subject.lights.work(light).beams);
     if (!_passes->picture) _passes->picture.emplace(_context);
     gl::PassTimers::Scope scope(frame.timers, "picture");
-    return use(*_passes->picture,
-               PicturePass::Inputs{frame.scene, frame.plan.origin, frame.plan.patch, subject.surface,
-                                   frame.plan.sides, frame.receivers.all(), lit, beams, _godrays});
+    return use(*_passes->picture, PicturePass::Inputs{frame.scene, frame.plan.origin, frame.plan.patch,
+                                                      subject.surface, frame.plan.sides, subject.waterHeight,
+                                                      frame.receivers.all(), lit, beams, _godrays});
 }
 
 Picture Pictures::draw(const Frame& frame, const Subject& subject, glm::ivec2 size) {
@@ -107,10 +126,17 @@ Picture Pictures::draw(const Frame& frame, const Subject& subject, glm::ivec2 si
                       [&](PicturePass& pass, const auto& inputs) { return pass.draw(inputs, size); });
 }
 
-PicturePass::Sketch Pictures::begin(const Frame& frame, const Subject& subject, glm::ivec2 size,
-                                    int perPixel) {
+std::vector<std::uint8_t> Pictures::drawToneMapped(const Frame& frame, const Subject& subject,
+                                                   glm::ivec2 size) {
     return withInputs(frame, subject, [&](PicturePass& pass, const auto& inputs) {
-        return pass.begin(inputs, size, perPixel);
+        return pass.drawToneMapped(inputs, size);
+    });
+}
+
+PicturePass::Sketch Pictures::begin(const Frame& frame, const Subject& subject, glm::ivec2 size, int perPixel,
+                                    PicturePass::Sketch used) {
+    return withInputs(frame, subject, [&](PicturePass& pass, const auto& inputs) {
+        return pass.begin(inputs, size, perPixel, std::move(used));
     });
 }
 

@@ -149,15 +149,24 @@ void Texture::setFilter(GLenum filter, GLenum wrap) {
     glTextureParameteri(_id, GL_TEXTURE_WRAP_T, GLint(wrap));
 }
 
-std::vector<float> Texture::readFloats(GLenum format, int channels) const {
+template <typename T>
+std::vector<T> Texture::read(GLenum format, GLenum type, int channels) const {
     assert(_id != 0 && channels >= 1 && channels <= 4);
     glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
     const PixelTransfer transfer;
-    std::vector<float> out(std::size_t(_size.x) * std::size_t(_size.y) * std::size_t(std::max(_layers, 1)) *
-                           std::size_t(channels));
-    glGetTextureImage(_id, 0, format, GL_FLOAT, GLsizei(out.size() * sizeof(float)), out.data());
+    std::vector<T> out(std::size_t(_size.x) * std::size_t(_size.y) * std::size_t(std::max(_layers, 1)) *
+                       std::size_t(channels));
+    glGetTextureImage(_id, 0, format, type, GLsizei(out.size() * sizeof(T)), out.data());
     requireContext();
     return out;
+}
+
+std::vector<float> Texture::readFloats(GLenum format, int channels) const {
+    return read<float>(format, GL_FLOAT, channels);
+}
+
+std::vector<std::uint8_t> Texture::readBytes(GLenum format, int channels) const {
+    return read<std::uint8_t>(format, GL_UNSIGNED_BYTE, channels);
 }
 
 void Texture::reset() {

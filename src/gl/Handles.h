@@ -96,10 +96,14 @@ class Texture {
     /// Waits for the GPU and returns width · height · channels floats, row 0 first, layer by layer; `format`
     /// says the channels.
     std::vector<float> readFloats(GLenum format, int channels) const;
+    /// The same in bytes, [0, 1] as [0, 255].
+    std::vector<std::uint8_t> readBytes(GLenum format, int channels) const;
 
   private:
     Texture(Ledger& ledger, std::string kind, GLenum internalFormat, glm::ivec2 size, Mipmaps mipmaps,
             Layers layers);
+    template <typename T>
+    std::vector<T> read(GLenum format, GLenum type, int channels) const;
     void reset();
     void swap(Texture& other) noexcept;
     GLuint _id = 0;

@@ -9,11 +9,10 @@ void SceneDepth::bind() const {
     first.bind(sceneDepthUnit);
 }
 
-SceneDepthPass::SceneDepthPass(gl::Context& context)
-    : _context(context),
-      _program({"levelmap/scene_depth.vert", "levelmap/face.geom", "levelmap/scene_depth.frag"}) {}
-
 void SceneDepthPass::draw(SceneDepth& depth, glm::ivec2 size, const Inputs& inputs) {
+    if (!_program)
+        _program.emplace(std::initializer_list<const char*>{"levelmap/scene_depth.vert", "levelmap/face.geom",
+                                                            "levelmap/scene_depth.frag"});
     if (depth.first.size() != size || depth.first.id() == 0)
         depth.first = gl::Texture(_context.ledger(), "scene depth map", GL_RG32F, size);
     const gl::Texture buffer(_context.ledger(), "depth buffer", GL_DEPTH_COMPONENT32F, size);
@@ -24,11 +23,11 @@ void SceneDepthPass::draw(SceneDepth& depth, glm::ivec2 size, const Inputs& inpu
     framebuffer.clearDepth(1);
     glEnable(GL_DEPTH_TEST);
     inputs.beams.frame.bindUniform(lightFrameBlock);
-    _program.set(farthestLocation, float(inputs.farthest));
-    _program.set(mapSizeLocation, size);
+    _program->set(farthestLocation, float(inputs.farthest));
+    _program->set(mapSizeLocation, size);
     for (std::size_t i = 0; i < inputs.receivers.size(); ++i) {
-        _program.set(receiverNumberLocation, int(i));
-        inputs.receivers[i].drawSolid(_program);
+        _program->set(receiverNumberLocation, int(i));
+        inputs.receivers[i].drawSolid(*_program);
     }
     glDisable(GL_DEPTH_TEST);
 }

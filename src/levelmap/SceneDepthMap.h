@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <span>
 
 #include "gl/Context.h"
@@ -22,7 +23,7 @@ struct SceneDepth {
 
 class SceneDepthPass {
   public:
-    explicit SceneDepthPass(gl::Context& context);
+    explicit SceneDepthPass(gl::Context& context) : _context(context) {}
 
     struct Inputs {
         const Beams& beams; ///< its frame says light and rectangle
@@ -34,7 +35,7 @@ class SceneDepthPass {
 
   private:
     gl::Context& _context;
-    gl::Program _program;
+    std::optional<gl::Program> _program; ///< made for the first map
 };
 
 } // namespace limpid

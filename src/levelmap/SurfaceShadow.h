@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -15,13 +16,13 @@ namespace limpid {
 /// thing it meets to the flat surface, 0 for none.
 class SurfaceShadowPass {
   public:
-    explicit SurfaceShadowPass(gl::Context& context);
+    explicit SurfaceShadowPass(gl::Context& context) : _context(context) {}
 
     void draw(gl::Texture& map, const Beams& beams, std::span<const ReceiverGeometry> receivers);
 
   private:
     gl::Context& _context;
-    gl::Program _program;
+    std::optional<gl::Program> _program; ///< made for the first map
 };
 
 } // namespace limpid

@@ -94,6 +94,7 @@ void Caustics::update(double seconds) {
     requireTime(seconds);
     requireHostTextures(_impl->engine.scene().water);
     _impl->isUpdated = false;
+    _impl->engine.freePicture(); // a host that draws by itself has use for the memory
     _impl->engine.updateCaustics(seconds);
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT); // a host may sample at once
     _impl->isUpdated = true;

@@ -65,7 +65,8 @@ class Caustics {
     std::vector<float> irradiance(int map) const;
 
     /// The scene as its camera sees it at `seconds`; `size` in pixels, from 1 to what the GPU has. Computes
-    /// those caustics alone that the picture shows. Waits for the GPU. Throws as update() does, and
+    /// those caustics alone that the picture shows. Waits for the GPU. Until the next update(), up to 350
+    /// bytes a pixel stay on the GPU for another picture of that size. Throws as update() does, and
     /// InputError for a size out of range.
     Picture render(double seconds, glm::ivec2 size);
 

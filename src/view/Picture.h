@@ -9,18 +9,12 @@
 #include "core/Picture.h"
 #include "gl/Context.h"
 #include "scene/Scene.h"
+#include "view/PictureResolve.h"
 #include "view/ReceiverPass.h"
 #include "view/ViewFrame.h"
 #include "view/WaterPass.h"
 
 namespace limpid {
-
-/// Luminance, after exposure, that is shown as white. A white wall in the default sun stays below it; only a
-/// caustic's core reaches it.
-inline constexpr float whiteLuminance = 4.0f;
-
-/// 8-bit sRGB of a picture: exposure in stops, then Reinhard's curve on luminance, dithered.
-std::vector<std::uint8_t> toneMapped(const Picture& picture, double exposure);
 
 /// Receivers lit by their caustic maps, through the water surface as the scene's camera sees it.
 class PicturePass {
@@ -41,13 +35,16 @@ class PicturePass {
             gl::Framebuffer target;
             View() = default;
             View(gl::Ledger& ledger, const char* kind, glm::ivec2 size);
+            /// Makes it unless it is there in that size.
+            void fit(gl::Ledger& ledger, const char* kind, glm::ivec2 size);
+            void clear() const;
         };
         int _perPixel = 1;
         ViewFrameData _frame;
         gl::Buffer _view;
         View _refracted, _mirrored;
         gl::Texture _radiance, _depth;
-        gl::Framebuffer _target;
+        gl::Framebuffer _target, _withoutDepth;
     };
 
     explicit PicturePass(gl::Context& context);
@@ -61,29 +58,41 @@ class PicturePass {
         const WaterPatch& patch;
         const WaterMesh& surface;
         const SideBounds& sides;
+        double waterHeight; ///< heightAtCamera
         std::span<const ReceiverGeometry> receivers;
         std::span<const Lit> lit;
         std::span<const Beams* const> lights; ///< in the scene's order
         const gl::Texture* godrays = nullptr; ///< radiance to be added (shaders/view/godrays.frag); or none
     };
+    /// Waits for the GPU. Its targets stay for the next picture of that size.
     Picture draw(const Inputs& inputs, glm::ivec2 size);
+    /// The same in 8-bit sRGB (view/PictureResolve.h) by the camera's exposure.
+    std::vector<std::uint8_t> drawToneMapped(const Inputs& inputs, glm::ivec2 size);
+    bool holdsTargets() const { return _drawn._target.id() != 0; }
+    /// Gives back the memory of those targets.
+    void forget() { _drawn = {}, _resolve.forget(); }
 
-    /// The same picture piece by piece and left on the GPU, for who has to answer a user in between. `begin`
-    /// draws what all pieces look things up in; the inputs stay the same until the last piece.
-    Sketch begin(const Inputs& inputs, glm::ivec2 size, int perPixel);
+    /// The same picture piece by piece and left on the GPU, so that an interactive caller can handle input
+    /// between calls. `begin` draws the views that all pieces sample; the inputs stay the same until the last
+    /// piece. `used`: a sketch that is shown no longer, whose targets serve again if they are of that size.
+    Sketch begin(const Inputs& inputs, glm::ivec2 size, int perPixel, Sketch used);
     /// The pixels of `rows` (from the bottom; first, and one past the last).
     void drawRows(const Inputs& inputs, const Sketch& sketch, glm::ivec2 rows);
 
   private:
-    void addGodrays(const Inputs& inputs, const gl::Texture& radiance, const gl::Texture& depth, float near);
+    void drawWhole(const Inputs& inputs, glm::ivec2 size);
+    void fit(Sketch& sketch, glm::ivec2 size, int perPixel);
+    void addGodrays(const Inputs& inputs, const Sketch& sketch);
     ReceiverPass::Inputs receiverInputs(const Inputs& inputs, const ViewFrameData& frame) const;
     void drawView(const ReceiverPass::Inputs& receivers, const gl::Framebuffer& target, Side side, Way way);
 
     gl::Context& _context;
     ReceiverPass _receivers;
     WaterPass _water;
+    PictureResolve _resolve;
     std::optional<gl::Program> _godrays; ///< made for the first picture with some
     gl::VertexArray _noVertices;
+    Sketch _drawn; ///< of the last picture, empty before the first
 };
 
 } // namespace limpid

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -27,10 +28,13 @@ double surfaceHeight(const Water& water, const WaterPatch& patch, const WaterMes
     const glm::dvec2 at = (xz - patch.min()) / patch.size * glm::dvec2(patch.grid);
     const glm::ivec2 quad(glm::floor(at));
     if (quad.x < 0 || quad.y < 0 || quad.x >= patch.grid.x || quad.y >= patch.grid.y) return water.level;
+    // From the quad's first corner to its last.
+    const auto row = std::size_t(patch.grid.x + 1);
+    const std::vector<glm::vec4> vertices =
+        surface.positions.read<glm::vec4>(row + 2, std::size_t(quad.y) * row + std::size_t(quad.x));
     const auto corner = [&](int right, int down) {
         const glm::ivec2 c = quad + glm::ivec2(right, down);
-        const auto index = std::size_t(c.y) * std::size_t(patch.grid.x + 1) + std::size_t(c.x);
-        const double height = double(surface.positions.read<glm::vec4>(1, index)[0].y) + origin.y;
+        const double height = double(vertices[std::size_t(down) * row + std::size_t(right)].y) + origin.y;
         const float share = shader::rimShare(glm::vec2(c) / glm::vec2(patch.grid));
         return float(glm::mix(water.level, height, double(share)) - water.level);
     };
@@ -127,16 +131,20 @@ void setSides(ViewFrameData& frame, SideBounds sides, const Water& water, const 
 
 } // namespace
 
+double heightAtCamera(const Scene& scene, const glm::dvec3& origin, const WaterPatch& patch,
+                      const WaterMesh& surface) {
+    const glm::dvec3& camera = *scene.camera.position;
+    if (std::abs(camera.y - scene.water.level) > highestWave(scene.water)) return scene.water.level;
+    return surfaceHeight(scene.water, patch, surface, origin, {camera.x, camera.z});
+}
+
 ViewFrameData viewFrame(const Scene& scene, const glm::dvec3& origin, const WaterPatch& patch,
-                        const WaterMesh& surface, const SideBounds& sides, glm::ivec2 samples) {
+                        const SideBounds& sides, double waterHeight, glm::ivec2 samples) {
     const Camera& camera = scene.camera;
     const Water& water = scene.water;
     const Bounds bounds = worldBounds(scene);
     const double near = nearPlane(bounds, camera);
-    const glm::dvec2 foot(camera.position->x, camera.position->z);
-    const bool inWaves = std::abs(camera.position->y - water.level) <= highestWave(water);
-    const double height = inWaves ? surfaceHeight(water, patch, surface, origin, foot) : water.level;
-    const Eye eye = eyeOf(camera, water, near, height);
+    const Eye eye = eyeOf(camera, water, near, waterHeight);
     ViewFrameData frame;
     frame.viewProjection = viewProjection(camera, eye.position - origin, near, samples);
     frame.cameraPosition = glm::vec4(eye.position - origin, eye.above ? 1 : 0);

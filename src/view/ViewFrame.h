@@ -26,10 +26,14 @@ struct ViewFrameData : gpu::ViewFrame {
 /// picture's half width: waves look past its edge.
 inline constexpr double viewMargin = 0.15;
 
-/// The frame of a picture of `samples` a side. `scene.camera` has position and target.
-/// Whether it is under water is decided by the surface as it is drawn; for a camera as near to the level as
-/// waves are high, this waits for the GPU.
+/// y of the surface as it is drawn at the camera, m in the world: what decides whether the camera is under
+/// water. Waits for the GPU, in one read, where the camera is as near to the level as waves are high.
+double heightAtCamera(const Scene& scene, const glm::dvec3& origin, const WaterPatch& patch,
+                      const WaterMesh& surface);
+
+/// The frame of a picture of `samples` a side. `scene.camera` has position and target; `waterHeight` as
+/// heightAtCamera has it.
 ViewFrameData viewFrame(const Scene& scene, const glm::dvec3& origin, const WaterPatch& patch,
-                        const WaterMesh& surface, const SideBounds& sides, glm::ivec2 samples);
+                        const SideBounds& sides, double waterHeight, glm::ivec2 samples);
 
 } // namespace limpid

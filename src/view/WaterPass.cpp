@@ -1,6 +1,5 @@
 #include "view/WaterPass.h"
 
-#include <array>
 #include <cmath>
 
 #include "gl/Bindings.h"
@@ -8,8 +7,7 @@
 
 namespace limpid {
 
-WaterPass::WaterPass(gl::Context& context)
-    : _context(context), _water({"view/water.vert", "view/water.frag"}) {}
+WaterPass::WaterPass() : _water({"view/water.vert", "view/water.frag"}) {}
 
 void WaterPass::drawGrid(const Inputs& inputs) {
     gl::VertexArray grid;
@@ -27,21 +25,9 @@ void WaterPass::drawHorizon(const Inputs& inputs) {
     const glm::dvec3& camera = *inputs.scene.camera.position;
     const double reach =
         1000 * (glm::length(inputs.patch.size) + std::abs(camera.y - inputs.scene.water.level));
-    std::array<glm::vec4, 12> vertices;
-    constexpr int corners[] = {0, 1, 2, 2, 1, 3};
-    for (std::size_t i = 0; i < 6; ++i) {
-        const glm::dvec2 side(corners[i] & 1 ? 1 : -1, corners[i] & 2 ? 1 : -1);
-        vertices[2 * i] = glm::vec4(
-            glm::dvec3(camera.x + reach * side.x, inputs.scene.water.level, camera.z + reach * side.y) -
-                inputs.origin,
-            1);
-        vertices[2 * i + 1] = {0, 1, 0, 0};
-    }
-    const gl::Buffer buffer(_context.ledger(), "water", std::span<const glm::vec4>(vertices));
-    gl::VertexArray quad;
-    quad.attribute(positionAttribute, buffer, 4, 0, 32);
-    quad.attribute(normalAttribute, buffer, 4, 16, 32);
-    quad.bind();
+    const glm::dvec2 foot(camera.x, camera.z), origin(inputs.origin.x, inputs.origin.z);
+    _water.set(horizonLocation, glm::vec4(foot - reach - origin, foot + reach - origin));
+    _noVertices.bind();
     // The two overlap a little, or the sky shows through between them; at the rim both are flat.
     const glm::vec4& patch = inputs.frame.patchRect;
     constexpr float overlap = 0.002f;

@@ -1,7 +1,7 @@
 #pragma once
 #include <span>
 
-#include "gl/Context.h"
+#include "gl/Handles.h"
 #include "gl/Program.h"
 #include "plan/FlatWater.h"
 #include "scene/Scene.h"
@@ -14,7 +14,7 @@ namespace limpid {
 /// Draws the water's surface as the camera sees it, with what shows through it and in it.
 class WaterPass {
   public:
-    explicit WaterPass(gl::Context& context);
+    WaterPass();
 
     struct Inputs {
         const Scene& scene;
@@ -35,8 +35,8 @@ class WaterPass {
     void drawHorizon(const Inputs& inputs);
     void addGlitter(const Inputs& inputs);
 
-    gl::Context& _context;
     gl::Program _water;
+    gl::VertexArray _noVertices;
 };
 
 } // namespace limpid

@@ -5,6 +5,7 @@
 #include "images/PictureFixture.h"
 #include "io/images/Images.h"
 #include "io/toml/SceneFile.h"
+#include "view/ToneMapped.h"
 
 namespace limpid {
 namespace {

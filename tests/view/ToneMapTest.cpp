@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "view/Picture.h"
+#include "view/ToneMapped.h"
 
 namespace limpid {
 namespace {

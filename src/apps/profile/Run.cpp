@@ -204,6 +204,7 @@ void Run::time(Series& series) {
     _engine.set(sceneOf(series));
     // The first visit of all compiles and allocates, whatever the profile says.
     warmUp(first ? std::max(_profile.warmup, 1) : _profile.warmup);
+    if (first) _engine.freePicture(); // memory is the caustics' alone
     _context.ledger().resetPeak();
     const Clock::time_point begin = Clock::now();
     _engine.updateCaustics(_profile.time);
@@ -221,6 +222,7 @@ void Run::time(Series& series) {
         entry->second.push_back(ms);
     }
     if (!first) return;
+    _engine.freePicture();
     describeWork(series, peak);
     compareMaps(series);
     countTexels(series);

@@ -19,7 +19,7 @@ struct Shown {
     bool operator==(const Shown&) const = default;
 };
 
-/// Tone-maps pictures on the GPU as toneMapped (view/Picture.h) does on the CPU.
+/// Tone-maps pictures for a window as view/PictureResolve.h does for files.
 class Display {
   public:
     explicit Display(gl::Context& context);
