@@ -10,12 +10,13 @@ layout(location = diffuseTarget) out vec4 outDiffuse;
 layout(location = normalTarget) out vec2 outNormal;
 
 void main() {
+    vec4 color = baseColor(); // a texture, before a neighbour may be discarded
     if (!isInMap()) discard;
     float depth = texelDepth();
     if (planeIndex(depth, boxExtent.z, boxSize.z) != planeNumber) discard;
     vec3 normal = texelNormal();
     float lit = texelLight(normal);
     outPosition = vec2(depth, float(texelPlane(depth, lit)));
-    outDiffuse = vec4(baseColor().rgb, lit);
+    outDiffuse = vec4(color.rgb, lit);
     outNormal = octahedralEncode(normal);
 }
