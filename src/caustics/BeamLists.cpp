@@ -9,8 +9,8 @@ namespace limpid {
 
 namespace {
 
-/// Work groups that share a broad quad. Few quads touch more texels than this many times their share of the
-/// map; so that none of 64 invocations walks more than some 256.
+/// Work groups that share a broad quad: so many that none of their 64 invocations walks more than some 256
+/// texels. Of light along a receiver one quad may walk a tenth of its map, however many quads there are.
 std::uint32_t partsFor(std::int64_t quads, std::int64_t texels) {
     constexpr std::int64_t share = 128, mostQuads = 1024, mostParts = 64;
     const std::int64_t whole = std::min(quads, mostQuads) * share;

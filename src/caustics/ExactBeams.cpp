@@ -12,7 +12,6 @@ namespace limpid {
 
 namespace {
 
-constexpr int groupSize = 64;
 constexpr glm::ivec2 resolveGroupSize{8, 8};
 
 constexpr gpu::BeamTouches noTouches{{0, 1, 1}, 0, {0, 0}};

@@ -12,7 +12,6 @@ namespace limpid {
 
 namespace {
 
-constexpr int groupSize = 64;
 constexpr glm::ivec2 resolveGroupSize{8, 8};
 constexpr glm::vec2 allDepths{-1e29f, 1e29f};
 
