@@ -26,6 +26,7 @@ layout(std430, binding = beamLitBuffer) readonly buffer BeamLit { float lit[]; }
 
 // Depths within this much, in texels, are one plane.
 const float flatness = 2e-3;
+
 // The depth, in the box, of a place on the plane that leans, this much below it.
 float depthOf(vec2 place, float upright) { return upright + dot(boxShear.xy * boxExtent.w, place); }
 

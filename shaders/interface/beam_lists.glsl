@@ -1,6 +1,6 @@
-// Quads that a pass leaves to others: those of a plane map's or a lit floor's beams, and those that something may shade; of
-// each, the narrow ones, which an invocation walks, and the broad ones, which work groups walk; and what of the shaded ones
-// found no room among the touches.
+// Quads that a pass leaves to others: those that nothing shades, and those that something may; of each, the narrow ones, of
+// which an invocation walks one, and the broad ones, which work groups walk. Then what of those that may be shaded found no
+// room among the touches.
 #pragma once
 #include "interface/blocks.glsl"
 STORAGE_BLOCK(BeamLists, beamListsBuffer) {

@@ -35,7 +35,7 @@ class Pictures {
                               PicturePass::Sketch used);
     void drawRows(const Frame& frame, const Subject& subject, const PicturePass::Sketch& sketch,
                   glm::ivec2 rows);
-    /// Whether targets of the last picture are on the GPU; and none stays there.
+    /// True while targets of the last picture are on the GPU; `forget` gives them back.
     bool holdsTargets() const;
     void forget();
 

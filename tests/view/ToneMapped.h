@@ -15,7 +15,7 @@ using namespace glm;
 #include "optics/tonemap.glsl"
 } // namespace shader
 
-/// What shaders/view/resolve.comp makes of a picture, on the CPU.
+/// 8-bit sRGB of a picture as shaders/view/resolve.comp has it, on the CPU.
 inline std::vector<std::uint8_t> toneMapped(const Picture& picture, double exposure) {
     std::vector<std::uint8_t> out;
     const float gain = float(std::exp2(exposure));

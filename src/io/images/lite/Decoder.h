@@ -20,9 +20,6 @@ struct Head {
     std::string fingerprint;               ///< see Images.h
 };
 
-/// A text in a picture's header, under the same name as with OpenImageIO.
-constexpr const char* fingerprintKey = "LimpidFingerprint";
-
 /// OpenEXR: one part, scan lines.
 bool isExr(Bytes file);
 Head exrHead(Bytes file);
@@ -31,7 +28,7 @@ std::vector<float> exrPixels(Bytes file);
 std::vector<std::uint8_t> encodeExr(int width, int height, const std::vector<std::string>& channelNames,
                                     std::span<const float> data, const std::string& fingerprint);
 
-/// Whatever stb reads: PNG, JPEG, BMP, TGA, GIF, PSD, HDR, PNM. Integers come scaled to [0, 1]; alpha
+/// Formats that stb reads: PNG, JPEG, BMP, TGA, GIF, PSD, HDR, PNM. Integers come scaled to [0, 1]; alpha
 /// multiplies nothing.
 Head stbHead(Bytes file);
 std::vector<float> stbPixels(Bytes file);

@@ -11,6 +11,8 @@
 #include <fmt/format.h>
 #include <tinyexr.h>
 
+#include "io/images/Reading.h"
+
 namespace limpid::io::lite {
 
 namespace {

@@ -12,6 +12,7 @@
 
 #include "core/Error.h"
 #include "io/Files.h"
+#include "io/images/Reading.h"
 #include "io/images/lite/Decoder.h"
 
 namespace fs = std::filesystem;
@@ -21,9 +22,6 @@ namespace limpid::io {
 namespace {
 
 using namespace lite;
-
-/// As in oiio/Images.cpp.
-constexpr std::int64_t freeNumbers = std::int64_t(1) << 28, numbersPerByte = 1032;
 
 void writeBytes(const fs::path& file, const std::function<std::vector<std::uint8_t>()>& encode) {
     writeWhole(file, [&](const fs::path& partial) {
@@ -35,10 +33,6 @@ void writeBytes(const fs::path& file, const std::function<std::vector<std::uint8
     });
 }
 
-[[noreturn]] void failReading(const fs::path& file, const std::string& reason) {
-    throw InputError(fmt::format("{}: cannot read: {}", oneLine(file.string()), oneLine(reason)));
-}
-
 Head headOf(Bytes bytes) {
     return isExr(bytes) ? exrHead(bytes) : stbHead(bytes);
 }
@@ -46,7 +40,7 @@ Head headOf(Bytes bytes) {
 /// Throws std::runtime_error, also if they are more than a file of so many bytes can stand for.
 std::vector<float> pixelsOf(Bytes bytes, const Head& head) {
     const auto channels = std::int64_t(head.channelNames.size());
-    const std::int64_t most = std::max(freeNumbers, numbersPerByte * std::int64_t(bytes.size()));
+    const std::int64_t most = mostNumbers(std::int64_t(bytes.size()));
     if (channels < 1) throw std::runtime_error("it has no pixels of two dimensions");
     if (std::int64_t(head.width) * head.height > most / channels)
         throw std::runtime_error(

@@ -7,6 +7,8 @@
 #include <stb_image_write.h>
 #include <zlib.h>
 
+#include "io/images/Reading.h"
+
 namespace limpid::io::lite {
 
 namespace {

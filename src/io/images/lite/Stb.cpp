@@ -8,6 +8,8 @@
 
 #include <stb_image.h>
 
+#include "io/images/Reading.h"
+
 namespace limpid::io::lite {
 
 namespace {

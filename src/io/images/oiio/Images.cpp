@@ -17,20 +17,13 @@
 
 #include "core/Error.h"
 #include "io/Files.h"
+#include "io/images/Reading.h"
 
 namespace fs = std::filesystem;
 
 namespace limpid::io {
 
 namespace {
-
-/// 1 GiB of floats is given to any file, as a picture of one colour takes a few bytes; beyond, what its
-/// compressed bytes can stand for (deflate makes 1032 of one), so that a broken header gets no memory for its
-/// claims.
-constexpr std::int64_t freeNumbers = std::int64_t(1) << 28, numbersPerByte = 1032;
-
-/// A text in a picture's header.
-constexpr const char* fingerprintKey = "LimpidFingerprint";
 
 /// The library writes PNG without a look at whether the disk takes it, so it writes to memory, and we to the
 /// disk.
@@ -70,10 +63,6 @@ class QuietStderr {
   private:
     int _kept;
 };
-
-[[noreturn]] void failReading(const fs::path& file, const std::string& reason) {
-    throw InputError(fmt::format("{}: cannot read: {}", oneLine(file.string()), oneLine(reason)));
-}
 
 } // namespace
 
@@ -143,7 +132,7 @@ FloatImage readImage(const fs::path& file) {
                      spec.channelnames, {}};
     if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1 || spec.depth > 1)
         failReading(file, "it has no pixels of two dimensions");
-    const std::int64_t most = std::max(freeNumbers, numbersPerByte * std::int64_t(fs::file_size(file)));
+    const std::int64_t most = mostNumbers(std::int64_t(fs::file_size(file)));
     if (std::int64_t(spec.width) * spec.height > most / spec.nchannels)
         failReading(
             file, fmt::format("{} x {} pixels are too many for a file of its size", spec.width, spec.height));
